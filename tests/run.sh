@@ -1,0 +1,122 @@
+#!/bin/bash
+# Installs what is missing, builds, and runs every test: the release suite, then bounded runs of the determinism test with another
+# compiler, of both sanitizers, and of the fuzz targets. Each part prints PASS or FAIL; the exit code is not zero when one failed.
+#   tests/run.sh            everything, bounded (about 20 minutes on 2 cores from scratch)
+#   tests/run.sh --quick    the release suite only
+#   tests/run.sh --full     longer sanitizer and fuzz sweeps
+set -uo pipefail
+cd "$(dirname "$0")/.."
+
+mode=bounded
+case "${1:-}" in
+  "") ;;
+  --quick) mode=quick ;;
+  --full) mode=full ;;
+  *) echo "usage: tests/run.sh [--quick | --full]" >&2; exit 2 ;;
+esac
+
+jobs=$(nproc)
+logs=build/logs
+mkdir -p "$logs"
+results=()
+failed=0
+
+# part NAME COMMAND...: runs it with its output in a log; shows the log's end when it failed.
+part() {
+  local name=$1 start=$SECONDS
+  shift
+  if "$@" >"$logs/$name.log" 2>&1; then
+    results+=("PASS  $name  ($((SECONDS - start)) s)")
+  else
+    results+=("FAIL  $name  ($((SECONDS - start)) s, $logs/$name.log)")
+    failed=1
+    tail -n 60 "$logs/$name.log"
+  fi
+  echo "${results[-1]}"
+}
+
+launcher() { command -v ccache >/dev/null 2>&1 && echo "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"; return 0; }
+
+build() {                                       # build PRESET [target...]
+  local preset=$1
+  shift
+  local targets=()
+  [ $# -gt 0 ] && targets=(--target "$@")
+  # shellcheck disable=SC2046
+  cmake --preset "$preset" $(launcher) >/dev/null && cmake --build --preset "$preset" -j "$jobs" "${targets[@]}"
+}
+
+release_suite() {
+  ctest --test-dir build/release -j "$jobs" --output-on-failure >"$logs/ctest.log" 2>&1
+  local code=$?
+  grep -vE '^ *[0-9]+/[0-9]+ Test .*Passed|^ +Start ' "$logs/ctest.log"
+  return $code
+}
+
+# The golden hashes were written by gcc, optimised; clang without optimisation must reach the same bits.
+other_compiler() {
+  build clang halsted halsted_app_tests && ctest --test-dir build/clang -j "$jobs" --output-on-failure -R 'Golden|Determinism'
+}
+
+# Address and undefined-behaviour sanitizers over every folder's tests; the long-running ones only in the full mode.
+address_sanitizer() {
+  export ASAN_OPTIONS=detect_leaks=1:halt_on_error=1 UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
+  build asan || return 1
+  local filter=(-LE lint -E 'Golden|Slow|Window|Picture')
+  [ "$mode" = full ] && filter=(-LE lint)
+  timeout 3000 ctest --test-dir build/asan -j "$jobs" --output-on-failure "${filter[@]}"
+}
+
+# Thread sanitizer over the whole program in real time with virtual devices, the carriers, and the haptic code.
+thread_sanitizer() {
+  export TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1
+  build tsan halsted halsted_app_tests halsted_haptics_tests || return 1
+  local filter=(-R 'TripleBuffer|SpscRing|Train|Haptic|HandLoop')
+  [ "$mode" = full ] && filter=(-LE lint)
+  timeout 3000 ctest --test-dir build/tsan -j 1 --output-on-failure "${filter[@]}"
+}
+
+fuzz() {
+  build fuzz || return 1
+  local seconds=20 target found=0
+  [ "$mode" = full ] && seconds=300
+  for target in build/fuzz/tests/fuzz_*; do
+    [ -x "$target" ] && [ -f "$target" ] || continue
+    found=1
+    local reader=${target##*/fuzz_}
+    local corpus=build/fuzz/corpus/$reader
+    mkdir -p "$corpus"
+    local seeds=()
+    [ -d "tests/fuzz/seeds/$reader" ] && seeds=("tests/fuzz/seeds/$reader")
+    "$target" -max_total_time=$seconds -timeout=10 -rss_limit_mb=2048 -artifact_prefix="$logs/fuzz-$reader-" \
+      "$corpus" "${seeds[@]}" || return 1
+  done
+  [ $found -eq 1 ]
+}
+
+third_party/install-packages.sh || { echo "FAIL  install-packages"; exit 3; }
+export HALSTED_SCENES=$PWD/scenes
+part build build release
+if [ $failed -eq 0 ]; then
+  start=$SECONDS
+  if release_suite; then
+    results+=("PASS  tests  ($((SECONDS - start)) s)")
+  else
+    results+=("FAIL  tests  ($((SECONDS - start)) s, $logs/ctest.log)")
+    failed=1
+  fi
+  echo "${results[-1]}"
+  if [ "$mode" != quick ]; then
+    part determinism-clang-debug other_compiler
+    part address-sanitizer address_sanitizer
+    part thread-sanitizer thread_sanitizer
+    part fuzz fuzz
+  fi
+fi
+
+echo
+echo "== Summary =="
+printf '%s\n' "${results[@]}"
+[ -f "$logs/ctest.log" ] && grep -E 'tests passed|tests failed' "$logs/ctest.log"
+[ $failed -eq 0 ] && echo "All parts passed." || echo "Something failed."
+exit $failed

@@ -1,0 +1,151 @@
+/// Laws of the procedure table.
+#include "sim/procedure.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace halsted {
+namespace {
+
+constexpr double kDt = 1e-3;                             // [s]
+
+struct Run {
+  std::vector<ProcedureStep> table;
+  ProcedureState state{};
+  Observation seen{};
+  int step = 0;
+
+  double& operator[](Quantity q) { return seen[static_cast<int>(q)]; }
+  ProcedureEvent once() { return advance(table, seen, kDt * ++step, kDt, state); }
+  int countEvents(int steps, ProcedureEvent wanted) {
+    int count = 0;
+    for (int i = 0; i < steps; ++i) count += once() == wanted;
+    return count;
+  }
+};
+
+ProcedureStep bites(double min, double hold = 0.0) {     // [1], [s]
+  ProcedureStep step;
+  step.id = "bites";
+  step.done = {Quantity::kBites, min, 1e300, hold};
+  return step;
+}
+
+ProcedureStep bitesWithFault() {
+  ProcedureStep step = bites(8);
+  step.hasFault = true;
+  step.fault = {Quantity::kPeakForce, 2.0, 1e300, 0.0};
+  return step;
+}
+
+TEST(Procedure, NamesAndQuantitiesAreOneToOne) {
+  for (int i = 0; i < kQuantities; ++i) {
+    Quantity parsed = Quantity::kCount;
+    ASSERT_TRUE(parseQuantity(name(static_cast<Quantity>(i)), parsed));
+    EXPECT_EQ(static_cast<int>(parsed), i);
+  }
+  Quantity parsed = Quantity::kTime;
+  EXPECT_FALSE(parseQuantity("no_such_quantity", parsed));
+  EXPECT_STREQ(name(Quantity::kTears), "tears");
+  EXPECT_STREQ(name(Quantity::kRimToAnvil), "rim_to_anvil");
+  EXPECT_STREQ(name(Quantity::kPeakTension), "peak_tension");
+}
+
+TEST(Procedure, StepsAreDoneInOrderAndTheLastCompletes) {
+  Run run{{bites(1), bites(2)}};
+  EXPECT_EQ(run.once(), ProcedureEvent::kNone);
+  run[Quantity::kBites] = 2;
+  EXPECT_EQ(run.once(), ProcedureEvent::kStepDone);
+  EXPECT_EQ(run.once(), ProcedureEvent::kCompleted);
+  EXPECT_EQ(run.once(), ProcedureEvent::kNone);
+  EXPECT_EQ(run.state.current, 2);
+  EXPECT_DOUBLE_EQ(run.state.finished[0], 2 * kDt);
+  EXPECT_DOUBLE_EQ(run.state.finished[1], 3 * kDt);
+}
+
+TEST(Procedure, AConditionMustHoldWithoutAGap) {
+  Run run{{bites(1, 0.1)}};
+  run[Quantity::kBites] = 1;
+  EXPECT_EQ(run.countEvents(99, ProcedureEvent::kNone), 99);
+  run[Quantity::kBites] = 0;
+  run.once();
+  run[Quantity::kBites] = 1;
+  EXPECT_EQ(run.countEvents(99, ProcedureEvent::kNone), 99);
+  EXPECT_EQ(run.once(), ProcedureEvent::kCompleted);
+}
+
+TEST(Procedure, AFaultCountsOncePerOccurrence) {
+  Run run{{bitesWithFault()}};
+  run[Quantity::kPeakForce] = 3.0;
+  EXPECT_EQ(run.countEvents(500, ProcedureEvent::kFault), 1);
+  run[Quantity::kPeakForce] = 0.0;
+  EXPECT_EQ(run.countEvents(500, ProcedureEvent::kFault), 0);
+  run[Quantity::kPeakForce] = 3.0;
+  EXPECT_EQ(run.countEvents(500, ProcedureEvent::kFault), 1);
+  EXPECT_EQ(run.state.faults[0], 2);
+}
+
+TEST(Procedure, AFaultThatGoesOnUnderTheSameConditionIsNotCountedAgain) {
+  Run run{{bitesWithFault(), bitesWithFault(), bites(9)}};
+  run.table[1].done.min = 9;
+  run[Quantity::kPeakForce] = 3.0;
+  run.once();
+  run[Quantity::kBites] = 8;
+  EXPECT_EQ(run.once(), ProcedureEvent::kStepDone);
+  EXPECT_EQ(run.countEvents(100, ProcedureEvent::kFault), 0);
+  EXPECT_EQ(run.state.faults[0] + run.state.faults[1], 1);
+}
+
+TEST(Procedure, ABriefFaultUnderItsHoldTimeIsForgiven) {
+  Run run{{bitesWithFault()}};
+  run.table[0].fault.hold = 0.05;
+  run[Quantity::kPeakForce] = 3.0;
+  EXPECT_EQ(run.countEvents(49, ProcedureEvent::kFault), 0);
+  run[Quantity::kPeakForce] = 0.0;
+  run.once();
+  EXPECT_EQ(run.state.faults[0], 0);
+  run[Quantity::kPeakForce] = 3.0;
+  EXPECT_EQ(run.countEvents(50, ProcedureEvent::kFault), 1);
+}
+
+TEST(Procedure, ExceedingTheLimitIsOneFault) {
+  Run run{{bites(1)}};
+  run.table[0].limit = 0.2;
+  EXPECT_EQ(run.countEvents(199, ProcedureEvent::kFault), 0);
+  EXPECT_EQ(run.countEvents(1000, ProcedureEvent::kFault), 1);
+  EXPECT_EQ(run.state.faults[0], 1);
+}
+
+TEST(Procedure, TheLimitIsCountedFromTheStartOfItsStep) {
+  Run run{{bites(1), bites(2)}};
+  run.table[1].limit = 0.2;
+  run.countEvents(500, ProcedureEvent::kNone);
+  run[Quantity::kBites] = 1;
+  EXPECT_EQ(run.once(), ProcedureEvent::kStepDone);
+  EXPECT_EQ(run.countEvents(199, ProcedureEvent::kFault), 0);
+  EXPECT_EQ(run.countEvents(10, ProcedureEvent::kFault), 1);
+}
+
+TEST(Procedure, NoEventIsLostWhenDoneAndFaultCoincide) {
+  Run run{{bitesWithFault()}};
+  run[Quantity::kPeakForce] = 3.0;
+  run[Quantity::kBites] = 8;
+  EXPECT_EQ(run.once(), ProcedureEvent::kFault);
+  EXPECT_EQ(run.once(), ProcedureEvent::kCompleted);
+}
+
+TEST(Procedure, AQuantityThatIsNotANumberHoldsNothing) {
+  Run run{{bites(-1e300)}};
+  run[Quantity::kBites] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(run.once(), ProcedureEvent::kNone);
+}
+
+TEST(Procedure, AnEmptyTableDoesNothing) {
+  Run run{{}};
+  EXPECT_EQ(run.once(), ProcedureEvent::kNone);
+}
+
+}  // namespace
+}  // namespace halsted
