@@ -1,0 +1,140 @@
+#pragma once
+/// The plain structs that cross threads (DESIGN 2). Each is written by one thread and read by one other through a carrier of
+/// `app/`; nothing here owns a lock, a clock or a file. Vectors are sized once at start and never resized on a running thread.
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/types.h"
+
+namespace halsted {
+
+/// What a hand does, mapped from the device to the world. Haptic thread -> physics thread, one per hand.
+/// The tool frame has its origin between the jaw tips; +z runs up the shaft toward the hand, the jaws open along +-x.
+struct ToolSample {
+  std::uint64_t tick = 0;                    // haptic tick that produced it
+  Pose pose;                                 // device pose in the world
+  Vec3 velocity = Vec3::Zero();              // [m/s] filtered device velocity
+  double jaw = 1.0;                          // [1] commanded opening: 0 closed, 1 open
+  std::uint32_t presses = 0;                 // counts presses of the stylus button, so that a dropped sample loses no click
+};
+
+/// Where a scripted or mouse-driven hand wants to be. Physics (expert) or main thread -> haptic thread.
+struct HandTarget {
+  Pose pose;
+  double jaw = 1.0;                          // [1]
+  bool valid = false;                        // false: the hand holds still
+};
+
+/// One half-space of the local model: the tool tip feels `normal . (x - point) >= 0`.
+struct ContactPlane {
+  Vec3 point = Vec3::Zero();                 // [m]
+  Vec3 normal = Vec3::UnitZ();               // [1] away from the obstacle
+};
+
+/// First-order model of what one tool feels. Physics thread -> haptic thread.
+///   F(x, v) = force + stiffness (position - x) ... written about the device position x0 = `position`:
+///   F = force - stiffness (x - x0) - damping v
+/// with `stiffness` symmetric positive semi-definite. physics.md B7.
+struct LocalContact {
+  static constexpr int kMaxPlanes = 4;
+  std::uint64_t step = 0;                    // physics step that produced it
+  std::uint64_t sampleTick = 0;              // haptic tick of the ToolSample it was computed from
+  Vec3 position = Vec3::Zero();              // [m] x0: device position it was computed at
+  Vec3 force = Vec3::Zero();                 // [N] on the hand, at x0
+  Mat3 stiffness = Mat3::Zero();             // [N/m]
+  Mat3 damping = Mat3::Zero();               // [N s/m]
+  std::array<ContactPlane, kMaxPlanes> planes{};
+  int planeCount = 0;
+  bool touching = false;                     // any contact, grasp, needle or thread load
+  bool puncture = false;                     // a puncture or release happened in this step: force may jump
+};
+
+/// What happened in a step; recorded, shown and spoken, never used to steer physics.
+enum class EventKind : std::uint8_t {
+  kNeedleEntered, kNeedleExited, kBiteCompleted, kNeedleGrasped, kNeedleReleased, kThreadGrasped, kThreadReleased,
+  kTissueGrasped, kTissueReleased, kChannelTorn, kChannelEmptied, kStepDone, kFault, kProcedureCompleted
+};
+const char* name(EventKind);
+
+struct Event {
+  std::uint64_t step = 0;
+  EventKind kind = EventKind::kFault;
+  std::int32_t hand = -1;                    // -1: no hand
+  std::int32_t index = -1;                   // channel, procedure step or fault index, by kind
+  double value = 0.0;                        // force [N], distance [m] or angle [rad], by kind
+};
+
+/// Everything that a picture needs of one step. Physics thread -> render thread.
+struct ToolView {
+  Pose pose;                                 // the proxy that touches the tissue, not the device
+  double jaw = 1.0;                          // [1]
+  Vec3 force = Vec3::Zero();                 // [N] on the hand
+};
+
+struct RenderSnapshot {
+  std::uint64_t step = 0;
+  double time = 0.0;                         // [s]
+  std::vector<Vec3> tissue;                  // [m] one per tissue particle
+  std::vector<Vec3> thread;                  // [m] one per thread node, tail first, swage last
+  std::vector<double> twist;                 // [rad] material-frame angle per thread node
+  Pose needle;                               // needle frame, see NeedleShape
+  std::array<ToolView, kHands> tools;
+  std::vector<Vec3> punctures;               // [m] open puncture holes; capacity RenderScene::maxPunctures, size = punctureCount
+  int punctureCount = 0;
+  int procedureStep = 0;                     // index of the current step; == size when completed
+  std::uint32_t bites = 0;
+  std::uint32_t faults = 0;
+  double openingArea = 0.0;                  // [m^2]
+  double threadTension = 0.0;                // [N] the larger of both ends
+};
+
+/// What never changes while a scene runs; handed to the renderer once.
+enum class ToolKind : std::uint8_t { kNeedleDriver, kForceps };
+
+struct NeedleShape {                         // arc in the needle frame's x-y plane, centre at the origin: r (cos t, sin t, 0)
+  double radius = 0.0;                       // [m] of the arc
+  double angle = 0.0;                        // [rad] swept; t = 0 is the swage, t = angle the tip
+  double wireRadius = 0.0;                   // [m]
+};
+
+struct CapsuleShape { Vec3 a = Vec3::Zero(), b = Vec3::Zero(); double radius = 0.0; };   // [m] all
+
+struct CameraView { Vec3 eye = Vec3(0, 0.05, 0.12), target = Vec3::Zero(), up = Vec3::UnitY(); double fovDegrees = 40.0; };
+
+struct RenderScene {
+  std::string name, title;
+  std::vector<Vec3> tissueRest;              // [m]
+  std::vector<std::array<int, 3>> surface;   // triangles, counter-clockwise seen from outside the wall
+  std::vector<int> triangleLayer;            // per triangle: 0 serosa (outside), 1 mucosa (lumen), 2 cut rim and ends
+  std::vector<Eigen::Vector2d> surfaceUv;    // per particle: (angle/2pi, length along the tube [m])
+  int threadNodes = 0;
+  double threadRadius = 0.0;                 // [m]
+  NeedleShape needle;
+  std::vector<CapsuleShape> rods;            // fixed rods (the anvil)
+  std::array<ToolKind, kHands> tools{ToolKind::kForceps, ToolKind::kNeedleDriver};
+  CameraView camera;
+  std::vector<std::string> instructions;     // one per procedure step
+  std::vector<std::string> stepIds;
+  int maxPunctures = 64;
+};
+
+/// Levels for the panels and the HUD.
+struct HapticStatus {
+  std::uint64_t tick = 0, skippedPeriods = 0, staleTicks = 0;
+  std::array<Vec3, kHands> force{Vec3::Zero(), Vec3::Zero()};   // [N] sent to the device
+  std::array<std::uint32_t, kHands> faultCode{};                // haptics/limits.h
+};
+struct PhysicsStatus {
+  std::uint64_t step = 0, lateSteps = 0;
+  double stepMilliseconds = 0.0;             // cost of the last step
+};
+
+/// A parameter changed while running; main thread -> physics thread, between two steps, recorded.
+struct Command {
+  enum class Kind : std::uint8_t { kNone, kSetGravity, kReset } kind = Kind::kNone;
+  double value = 0.0;                        // by kind
+};
+
+}  // namespace halsted

@@ -1,0 +1,45 @@
+#pragma once
+/// Outcome and motion metrics, accumulated step by step (physics.md C1). `MetricsState` is part of `State`.
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/types.h"
+
+namespace halsted {
+
+struct HandMetrics {
+  double pathLength = 0.0;                     // [m] sum |dx| of the tool tip
+  double peakForce = 0.0;                      // [N]
+  double forceSum = 0.0;                       // [N] over steps with force > 0.02 N
+  double forceSteps = 0.0;                     // [1] count of those steps
+  Vec3 lastPosition = Vec3::Zero();            // [m]
+  bool started = false;
+};
+
+struct BiteMetrics {
+  double depth = 0.0;                          // [m] entry to the rim
+  double spacing = 0.0;                        // [m] from the previous exit
+  double entryAngle = 0.0;                     // [1] cosine of the angle between needle tangent and inward normal at entry
+  double width = 0.0;                          // [m] entry to exit
+};
+
+inline constexpr int kMaxBites = 24;
+
+struct MetricsState {
+  std::array<HandMetrics, kHands> hands;
+  std::array<BiteMetrics, kMaxBites> bites{};
+  std::int32_t biteCount = 0;                  // completed bites
+  std::int32_t acrossOpening = 0;              // bites not adjacent to the last
+  std::int32_t tears = 0;
+  double peakStretch = 1.0;                    // [1] largest edge length / rest length on the surface
+  double peakTension = 0.0;                    // [N]
+  double openingArea = 0.0;                    // [m^2] now
+  double restOpeningArea = 0.0;                // [m^2] at the first step
+};
+
+/// Name (with its unit as a suffix) and value, for `replay --json` and reports; read on any thread that owns a copy.
+std::vector<std::pair<std::string, double>> summarise(const MetricsState&, double time);
+
+}  // namespace halsted

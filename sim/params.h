@@ -1,0 +1,96 @@
+#pragma once
+/// Every number a scene file may set. Defaults are the purse-string scene; `scenes/` reads them from TOML by the key beside each.
+/// Presets with sources stand in `scenes/materials.toml`; physics.md section D.
+#include <string>
+
+#include "sim/exchange.h"
+#include "sim/types.h"
+
+namespace halsted {
+
+enum class TissueSolver : std::uint8_t { kProjective, kXpbd, kShapeMatching };   // tissue.solver
+
+struct TissueParams {                          // [tissue]
+  TissueSolver solver = TissueSolver::kProjective;
+  double youngsModulus = 120e3;                // youngs_modulus [Pa] handling range: a tenth of the large-strain 0.63 to 1.76 MPa
+  double poissonRatio = 0.45;                  // poisson_ratio [1]
+  double density = 1060.0;                     // density [kg/m^3]
+  double massDamping = 5.0;                    // mass_damping [1/s] mesentery and fluid; tuned: rim swing dies in half a second
+  int substeps = 0;                            // substeps [1] xpbd, shape_matching; 0 = chosen so that the stiffness is true
+  double resistance = 0.65;                    // resistance [1] shape_matching only (paper 003)
+  int shapeIterations = 2;                     // shape_iterations [1] shape_matching only
+};
+
+struct ContactParams {                         // [contact]
+  double toolTissueFriction = 0.2;             // tool_tissue_friction [1] wet steel on serosa (design)
+  double threadTissueFriction = 0.15;          // thread_tissue_friction [1] coated thread, physics.md D (design)
+  double threadToolFriction = 0.2;             // thread_tool_friction [1] (design)
+  double tissueTissueFriction = 0.05;          // tissue_tissue_friction [1] wet serosa on serosa (design)
+};
+
+struct ThreadParams {                          // [thread]
+  int nodes = 175;                             // nodes [1] paper 003
+  double segmentLength = 2e-3;                 // segment_length [m] physics.md 0.1
+  double radius = 0.16e-3;                     // radius [m] USP 2-0: 0.300 to 0.339 mm diameter
+  double linearDensity = 5e-5;                 // linear_density [kg/m] 0.1 mg per 2 mm
+  double axialStiffness = 1500.0;              // axial_stiffness [N] EA; 1 N stretches 0.07 %; braided silk itself is 785 N
+  double bendingStiffness = 5e-8;              // bending_stiffness [N m^2] braided, physics.md D
+  double damping = 20.0;                       // damping [1/s] air and internal; tuned: a dropped thread settles in 0.2 s
+  double channelDrag = 8.0;                    // channel_drag [N/m] drag per length of channel (design)
+};
+
+struct NeedleParams {                          // [needle]
+  double arcLength = 26e-3;                    // arc_length [m] SH
+  double arcAngle = 3.14159265358979312;       // arc_angle [rad] half circle
+  double wireRadius = 0.33e-3;                 // wire_radius [m]
+  double density = 7900.0;                     // density [kg/m^3] steel
+  double punctureForce = 0.8;                  // puncture_force [N] bowel 0.5 to 2 N, physics.md D
+  double exitForce = 0.5;                      // exit_force [N] tip leaving through the surface (design)
+  double cutForce = 0.15;                      // cut_force [N] tip advancing inside the wall (design)
+  double tearForce = 3.0;                      // tear_force [N] lateral load at which a hole tears (design)
+  double shaftFriction = 20.0;                 // shaft_friction [N/m] Coulomb friction per inserted length (design)
+};
+
+struct ToolParams {                            // [tool.left], [tool.right]
+  ToolKind kind = ToolKind::kNeedleDriver;     // kind = "needle_driver" | "forceps"
+  double jawLength = 12e-3;                    // jaw_length [m]
+  double jawRadius = 1.2e-3;                   // jaw_radius [m]
+  double shaftRadius = 2.2e-3;                 // shaft_radius [m]
+  double shaftLength = 90e-3;                  // shaft_length [m]
+  double jawAngleDegrees = 25.0;               // jaw_angle_degrees [deg] fully open, between the jaws
+  double captureRadius = 2.5e-3;               // capture_radius [m] what lies this near the jaws' centre line is grasped
+  double gripForce = 4.0;                      // grip_force [N] above it the grasped tissue slips out
+  double couplingStiffness = 1000.0;           // coupling_stiffness [N/m] from the device's nominal 1.02 N/mm (devices.md)
+};
+
+struct AnatomyParams {                         // [anatomy]
+  std::string mesh;                            // mesh: a surface file; empty = the procedural colon
+  double scale = 1.0;                          // scale [m per mesh unit]
+  std::string segment;                         // segment: which stretch of the tube; empty = the default end
+  double radius = 18e-3;                       // radius [m] of the procedural tube's outer wall
+  double length = 60e-3;                       // length [m]
+  double wall = 2e-3;                          // wall [m]
+  double haustraDepth = 2.0e-3;                // haustra_depth [m]
+  int around = 34, along = 18;                 // around, along [1] grid of one layer; two layers
+};
+
+struct RodParams {                             // [anvil]
+  Vec3 from = Vec3(0, 0, -30e-3);              // from [m]
+  Vec3 to = Vec3(0, 0, 12e-3);                 // to [m]
+  double radius = 3.0e-3;                      // radius [m] shaft of a stapler anvil
+};
+
+struct SimParams {
+  double dt = 1e-3;                            // sim.dt [s]
+  Vec3 gravity = Vec3(0, -9.81, 0);            // sim.gravity [m/s^2]
+  std::uint64_t seed = 1;                      // sim.seed
+  TissueParams tissue;
+  ContactParams contact;
+  ThreadParams thread;
+  NeedleParams needle;
+  ToolParams tools[kHands];
+  AnatomyParams anatomy;
+  RodParams anvil;
+};
+
+}  // namespace halsted

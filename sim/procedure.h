@@ -1,0 +1,70 @@
+#pragma once
+/// The procedure manager: a table of steps, measured quantities, and a state that advances through it.
+/// A step that needs new logic gets a new measured quantity, never a callback.
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/types.h"
+
+namespace halsted {
+
+/// What a scene measures after each step. Names as in scene.toml.
+enum class Quantity : std::uint8_t {
+  kTime,                   // time                     [s]
+  kNeedleHeld,             // needle_held              [1] hands that hold the needle
+  kBites,                  // bites                    [1] completed bites in the tissue
+  kStitchAcrossOpening,    // stitch_across_opening    [1] bites not adjacent to their predecessor
+  kBiteSpacing,            // bite_spacing             [m] last gap between neighbouring bites
+  kBiteDepth,              // bite_depth               [m] last distance from entry to the rim
+  kTailTension,            // tail_tension             [N] the smaller of the two tails' tensions
+  kPeakTension,            // peak_tension             [N] largest tension so far
+  kOpeningFraction,        // opening_fraction         [1] opening area / its rest value
+  kRimToAnvil,             // rim_to_anvil             [m] mean gap between the rim and the anvil's surface
+  kTailsHeld,              // tails_held               [1] hands that hold the thread
+  kPeakForce,              // peak_force               [N] largest force on a hand so far
+  kTears,                  // tears                    [1] channels torn
+  kCount
+};
+inline constexpr int kQuantities = static_cast<int>(Quantity::kCount);
+const char* name(Quantity);                                  // as in scene.toml
+bool parseQuantity(const std::string& text, Quantity& out);  // false: unknown name
+
+using Observation = std::array<double, kQuantities>;         // indexed by Quantity
+
+/// `min <= quantity <= max`, held for `hold` seconds without a gap.
+struct Condition {
+  Quantity quantity = Quantity::kTime;
+  double min = -1e300, max = 1e300;                          // unit of the quantity
+  double hold = 0.0;                                         // [s]
+};
+
+struct ProcedureStep {
+  std::string id, instruction;
+  Condition done;
+  bool hasFault = false;
+  Condition fault;
+  std::string faultName;
+  double limit = 0.0;                                        // [s] 0 = none; exceeding it is the fault "too slow"
+};
+
+inline constexpr int kMaxProcedureSteps = 32;
+
+/// Part of `State`. Arrays are indexed by procedure step.
+struct ProcedureState {
+  std::int32_t current = 0;                                  // == table size: completed
+  double heldDone = 0.0, heldFault = 0.0;                    // [s]
+  double stepStart = 0.0;                                    // [s] when the current step began
+  std::array<double, kMaxProcedureSteps> finished{};         // [s]
+  std::array<std::int32_t, kMaxProcedureSteps> faults{};     // counted once per occurrence
+  bool inFault = false, late = false;
+};
+
+enum class ProcedureEvent : std::uint8_t { kNone, kStepDone, kFault, kCompleted };
+
+/// Advances the procedure by one step. Pure: same table, observation and state give the same state.  time, dt [s]
+ProcedureEvent advance(std::span<const ProcedureStep> table, const Observation& seen, double time, double dt, ProcedureState&);
+
+}  // namespace halsted

@@ -1,0 +1,46 @@
+#pragma once
+/// Prefactored projective dynamics (Bouaziz et al. 2014; Kugelstadt et al. 2018): one constant scalar matrix
+///   A = M (1/dt^2 + damping/dt) + sum over tets 2 mu V G G^T      [N/m]
+/// factored once, the same for x, y and z; unknowns are displacements from rest, zero for fixed particles. physics.md 0.8.
+/// Volume is kept by a pressure per tet that relaxes to lambda (det F - 1) (Uzawa), so the static stiffness is exact.
+#include <vector>
+
+#include "sim/types.h"
+
+namespace halsted {
+
+struct TissueModel;
+
+struct ProjectiveModel {
+  static constexpr int kLanes = 4;
+  int size = 0;                                // particles
+  // L of P A P^T = L D L^T by columns, strictly lower part.
+  std::vector<int> permutation;                // factor index of each particle
+  std::vector<int> columnStart;                // size + 1
+  std::vector<int> row;                        // row of each entry, ascending within a column
+  std::vector<double> value;                   // [1]
+  std::vector<double> inverseDiagonal;         // [m/N] of D
+  std::vector<double> inverse;                 // [m/N] dense A^-1, row-major: the compliance seen by contacts
+  // Tets in groups of four, struct of arrays: [group][entry][lane]; the last group repeats the last tet with zero weight.
+  int groups = 0;
+  std::vector<int> laneVertex;                 // [group][corner][lane]
+  std::vector<double> laneRestInverse;         // [1/m] [group][9][lane], row-major
+  std::vector<double> laneVolume;              // [m^3] [group][lane]
+  // Gather lists: right-hand side of particle i = sum over its (tet, corner) entries; fixed order, no scatter.
+  std::vector<int> cornerStart;                // size + 1
+  std::vector<int> corner;                     // offset into the corner forces [group][corner][xyz][lane]: offset of x
+  bool wide = false;                           // the CPU has AVX2; the bits are the same without
+};
+
+/// Fills `model.projective`; needs masses, fixed flags, rest inverses and volumes. Throws std::invalid_argument if A is singular.
+void buildProjective(TissueModel& model);
+
+/// Compliance between two particles [m/N].
+inline double compliance(const ProjectiveModel& p, int i, int j) {
+  return p.inverse[static_cast<std::size_t>(i) * static_cast<std::size_t>(p.size) + static_cast<std::size_t>(j)];
+}
+
+/// x := A^-1 x for three right-hand sides stored as rows of four doubles (x, y, z, unused), in factor order.
+void solveFactor(const ProjectiveModel&, double* rows);
+
+}  // namespace halsted

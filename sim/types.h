@@ -1,0 +1,26 @@
+#pragma once
+/// Linear algebra names used everywhere. All positions are metres in the world frame unless a header says otherwise:
+/// x right, y up, z toward the surgeon; origin at the centre of the bowel opening.
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+
+namespace halsted {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+using Quat = Eigen::Quaterniond;
+
+/// A rigid pose: world = orientation * local + position.
+struct Pose {
+  Vec3 position = Vec3::Zero();              // [m]
+  Quat orientation = Quat::Identity();       // unit quaternion
+
+  Vec3 apply(const Vec3& local) const { return orientation * local + position; }
+  Vec3 inverseApply(const Vec3& world) const { return orientation.conjugate() * (world - position); }
+};
+
+inline constexpr int kHands = 2;             // hand 0 is the left, hand 1 the right
+inline constexpr int kLeft = 0, kRight = 1;
+
+}  // namespace halsted
