@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kDt = 1e-3;                             // [s]
 
-struct Run {
+struct Rehearsal {
   std::vector<ProcedureStep> table;
   ProcedureState state{};
   Observation seen{};
@@ -54,7 +54,7 @@ TEST(Procedure, NamesAndQuantitiesAreOneToOne) {
 }
 
 TEST(Procedure, StepsAreDoneInOrderAndTheLastCompletes) {
-  Run run{{bites(1), bites(2)}};
+  Rehearsal run{{bites(1), bites(2)}};
   EXPECT_EQ(run.once(), ProcedureEvent::kNone);
   run[Quantity::kBites] = 2;
   EXPECT_EQ(run.once(), ProcedureEvent::kStepDone);
@@ -66,7 +66,7 @@ TEST(Procedure, StepsAreDoneInOrderAndTheLastCompletes) {
 }
 
 TEST(Procedure, AConditionMustHoldWithoutAGap) {
-  Run run{{bites(1, 0.1)}};
+  Rehearsal run{{bites(1, 0.1)}};
   run[Quantity::kBites] = 1;
   EXPECT_EQ(run.countEvents(99, ProcedureEvent::kNone), 99);
   run[Quantity::kBites] = 0;
@@ -77,7 +77,7 @@ TEST(Procedure, AConditionMustHoldWithoutAGap) {
 }
 
 TEST(Procedure, AFaultCountsOncePerOccurrence) {
-  Run run{{bitesWithFault()}};
+  Rehearsal run{{bitesWithFault()}};
   run[Quantity::kPeakForce] = 3.0;
   EXPECT_EQ(run.countEvents(500, ProcedureEvent::kFault), 1);
   run[Quantity::kPeakForce] = 0.0;
@@ -88,7 +88,7 @@ TEST(Procedure, AFaultCountsOncePerOccurrence) {
 }
 
 TEST(Procedure, AFaultThatGoesOnUnderTheSameConditionIsNotCountedAgain) {
-  Run run{{bitesWithFault(), bitesWithFault(), bites(9)}};
+  Rehearsal run{{bitesWithFault(), bitesWithFault(), bites(9)}};
   run.table[1].done.min = 9;
   run[Quantity::kPeakForce] = 3.0;
   run.once();
@@ -99,7 +99,7 @@ TEST(Procedure, AFaultThatGoesOnUnderTheSameConditionIsNotCountedAgain) {
 }
 
 TEST(Procedure, ABriefFaultUnderItsHoldTimeIsForgiven) {
-  Run run{{bitesWithFault()}};
+  Rehearsal run{{bitesWithFault()}};
   run.table[0].fault.hold = 0.05;
   run[Quantity::kPeakForce] = 3.0;
   EXPECT_EQ(run.countEvents(49, ProcedureEvent::kFault), 0);
@@ -111,7 +111,7 @@ TEST(Procedure, ABriefFaultUnderItsHoldTimeIsForgiven) {
 }
 
 TEST(Procedure, ExceedingTheLimitIsOneFault) {
-  Run run{{bites(1)}};
+  Rehearsal run{{bites(1)}};
   run.table[0].limit = 0.2;
   EXPECT_EQ(run.countEvents(199, ProcedureEvent::kFault), 0);
   EXPECT_EQ(run.countEvents(1000, ProcedureEvent::kFault), 1);
@@ -119,7 +119,7 @@ TEST(Procedure, ExceedingTheLimitIsOneFault) {
 }
 
 TEST(Procedure, TheLimitIsCountedFromTheStartOfItsStep) {
-  Run run{{bites(1), bites(2)}};
+  Rehearsal run{{bites(1), bites(2)}};
   run.table[1].limit = 0.2;
   run.countEvents(500, ProcedureEvent::kNone);
   run[Quantity::kBites] = 1;
@@ -129,7 +129,7 @@ TEST(Procedure, TheLimitIsCountedFromTheStartOfItsStep) {
 }
 
 TEST(Procedure, NoEventIsLostWhenDoneAndFaultCoincide) {
-  Run run{{bitesWithFault()}};
+  Rehearsal run{{bitesWithFault()}};
   run[Quantity::kPeakForce] = 3.0;
   run[Quantity::kBites] = 8;
   EXPECT_EQ(run.once(), ProcedureEvent::kFault);
@@ -137,13 +137,13 @@ TEST(Procedure, NoEventIsLostWhenDoneAndFaultCoincide) {
 }
 
 TEST(Procedure, AQuantityThatIsNotANumberHoldsNothing) {
-  Run run{{bites(-1e300)}};
+  Rehearsal run{{bites(-1e300)}};
   run[Quantity::kBites] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(run.once(), ProcedureEvent::kNone);
 }
 
 TEST(Procedure, AnEmptyTableDoesNothing) {
-  Run run{{}};
+  Rehearsal run{{}};
   EXPECT_EQ(run.once(), ProcedureEvent::kNone);
 }
 

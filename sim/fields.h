@@ -1,0 +1,112 @@
+#pragma once
+/// The one list of everything in `State` (DESIGN 7.4). Hash, save, load and diff are visitors of this list, so a field added here is
+/// hashed, saved, restored and compared. A member added to a struct and forgotten here does not compile: the structured binding in
+/// HALSTED_FIELDS must name every member, in the order of its declaration.
+///
+/// A visitor has one function, `leaf(const FieldPath&, T* data, std::size_t count, int stride)`, called in list order for each run of
+/// scalars (double, an integer or bool); `stride` scalars make an element (3 in a Vec3). Vectors call `size(path, length)` first.
+#include <array>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "sim/state.h"
+
+namespace halsted {
+
+/// Where the visit stands: a chain of members and indices, formatted only when somebody asks.
+class FieldPath {
+ public:
+  void enter(const char* names, int member) { entries_[depth_++] = {names, member, -1}; }
+  void leave() { --depth_; }
+  void index(int i) { entries_[depth_ - 1].index = i; }
+  /// "strand.holes[3].weight"
+  std::string text() const;
+
+ private:
+  struct Entry { const char* names = nullptr; int member = 0, index = -1; };   // names: "a, b, c" as written in the list
+  std::array<Entry, 8> entries_{};
+  int depth_ = 0;
+};
+
+/// How many doubles stand in a row in a type that is nothing but scalars; 0 for anything else.
+template <class T> inline constexpr int kScalars = std::is_arithmetic_v<T> ? 1 : 0;
+template <> inline constexpr int kScalars<Vec3> = 3;
+template <> inline constexpr int kScalars<Quat> = 4;
+
+template <class T> struct ArrayTraits { static constexpr bool isArray = false, isVector = false; };
+template <class T> struct ArrayTraits<std::vector<T>> { static constexpr bool isArray = true, isVector = true; using Item = T; };
+template <class T, std::size_t N> struct ArrayTraits<std::array<T, N>> { static constexpr bool isArray = true, isVector = false; using Item = T; };
+
+inline double* scalarData(Vec3& v) { return v.data(); }
+inline double* scalarData(Quat& q) { return q.coeffs().data(); }
+template <class T> requires std::is_arithmetic_v<T> T* scalarData(T& x) { return &x; }
+
+template <class V> struct FieldWalk {
+  V& visitor;
+  FieldPath path{};
+
+  template <class... T> void members(const char* names, T&... field) {
+    int member = 0;
+    (one(names, member++, field), ...);
+  }
+
+ private:
+  template <class T> void one(const char* names, int member, T& field) {
+    path.enter(names, member);
+    value(field);
+    path.leave();
+  }
+  template <class T> void value(T& field) {
+    using Array = ArrayTraits<T>;
+    if constexpr (kScalars<T> > 0) visitor.leaf(path, scalarData(field), kScalars<T>, kScalars<T>);
+    else if constexpr (Array::isArray) array(field);
+    else visitMembers(field, *this);
+  }
+  template <class T> void array(T& field) {
+    using Item = typename ArrayTraits<T>::Item;
+    if constexpr (ArrayTraits<T>::isVector) {
+      visitor.size(path, field.size());
+      if (field.empty()) return;
+    }
+    if constexpr (kScalars<Item> > 0) {
+      static_assert(std::is_same_v<Item, std::remove_pointer_t<decltype(scalarData(field[0]))>> ||
+                    sizeof(Item) == kScalars<Item> * sizeof(double), "items must lie in a row without padding");
+      visitor.leaf(path, scalarData(field[0]), field.size() * kScalars<Item>, kScalars<Item>);
+    } else {
+      for (std::size_t i = 0; i < field.size(); ++i) { path.index(static_cast<int>(i)); value(field[i]); }
+      path.index(-1);
+    }
+  }
+};
+
+#define HALSTED_FIELDS(Type, ...)                                                     \
+  template <class V> void visitMembers(Type& object, V& walk) {                       \
+    auto& [__VA_ARGS__] = object;                                                     \
+    walk.members(#__VA_ARGS__, __VA_ARGS__);                                          \
+  }
+
+HALSTED_FIELDS(Pose, position, orientation)
+HALSTED_FIELDS(TissueState, position, velocity, rotation, pressure)
+HALSTED_FIELDS(Hole, tet, weight, coordinate, force, bite, role)
+HALSTED_FIELDS(StrandContact, sample, feature, force)
+HALSTED_FIELDS(StrandState, position, velocity, tension, needle, needleVelocity, needleSpin, holes, holeCount, contacts, contactCount,
+               biteCount)
+HALSTED_FIELDS(ToolState, device, proxy, jaw, force, holdsNeedle, needleInTool, threadCoordinate, threadForce, needleForce, graspCount,
+               graspNode, graspLocal, graspForce, contactCount, contactTriangle, contactForce)
+HALSTED_FIELDS(ProcedureState, current, heldDone, heldFault, stepStart, finished, faults, inFault, late)
+HALSTED_FIELDS(HandMetrics, pathLength, peakForce, forceSum, forceSteps, lastPosition, started)
+HALSTED_FIELDS(BiteMetrics, depth, spacing, entryAngle, width)
+HALSTED_FIELDS(MetricsState, hands, bites, biteCount, acrossOpening, tears, peakStretch, peakTension, openingArea, restOpeningArea)
+HALSTED_FIELDS(State, step, random, tissue, strand, tools, procedure, metrics)
+
+#undef HALSTED_FIELDS
+
+/// Calls `visitor` for every scalar of the state, always in the same order.
+template <class V> void visitFields(State& state, V& visitor) {
+  FieldWalk<V> walk{visitor};
+  visitMembers(state, walk);
+}
+
+}  // namespace halsted

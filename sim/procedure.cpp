@@ -1,0 +1,95 @@
+#include "sim/procedure.h"
+
+namespace halsted {
+namespace {
+
+constexpr std::array<const char*, kQuantities> kNames = {
+    "time",          "needle_held",  "bites",            "stitch_across_opening", "bite_spacing", "bite_depth", "tail_tension",
+    "peak_tension",  "opening_fraction", "rim_to_anvil", "tails_held",            "peak_force",   "tears"};
+static_assert(kNames.back() != nullptr, "every quantity has a name");
+
+bool holds(const Condition& condition, const Observation& seen) {
+  const double value = seen[static_cast<int>(condition.quantity)];   // unit of the quantity
+  return value >= condition.min && value <= condition.max;           // a quantity that is not a number holds nothing
+}
+
+bool same(const Condition& a, const Condition& b) {
+  return a.quantity == b.quantity && a.min == b.min && a.max == b.max;
+}
+
+/// Adds dt while the condition holds without a gap. Half a step of slack: sums of dt are not exact.
+bool heldLongEnough(const Condition& condition, const Observation& seen, double dt, double& held) {   // dt, held [s]
+  if (!holds(condition, seen)) {
+    held = 0.0;
+    return false;
+  }
+  held += dt;
+  return held >= condition.hold - 0.5 * dt;
+}
+
+/// True in the step in which a fault begins; it counts again only after it has ended.
+bool faultBegins(const ProcedureStep& step, const Observation& seen, double dt, ProcedureState& state) {   // dt [s]
+  if (!step.hasFault) return false;
+  if (!heldLongEnough(step.fault, seen, dt, state.heldFault)) {
+    if (state.heldFault == 0.0) state.inFault = false;
+    return false;
+  }
+  if (state.inFault) return false;
+  state.inFault = true;
+  return true;
+}
+
+bool becomesLate(const ProcedureStep& step, double time, ProcedureState& state) {   // time [s]
+  if (step.limit <= 0.0 || state.late || time - state.stepStart <= step.limit) return false;
+  state.late = true;
+  return true;
+}
+
+void enterNext(std::span<const ProcedureStep> table, double time, ProcedureState& state) {   // time [s]
+  const ProcedureStep& left = table[state.current];
+  state.finished[state.current] = time;
+  ++state.current;
+  const bool completed = state.current == static_cast<std::int32_t>(table.size());
+  // A fault that goes on under the same condition is still the same occurrence, not a new one of the next step.
+  const bool goesOn = !completed && table[state.current].hasFault && left.hasFault && same(left.fault, table[state.current].fault);
+  state.inFault = state.inFault && goesOn;
+  state.heldDone = 0.0;
+  if (!goesOn) state.heldFault = 0.0;
+  state.stepStart = time;
+  state.late = false;
+}
+
+}  // namespace
+
+const char* name(Quantity quantity) {
+  const int i = static_cast<int>(quantity);
+  return i >= 0 && i < kQuantities ? kNames[i] : "unknown";
+}
+
+bool parseQuantity(const std::string& text, Quantity& out) {
+  for (int i = 0; i < kQuantities; ++i) {
+    if (text != kNames[i]) continue;
+    out = static_cast<Quantity>(i);
+    return true;
+  }
+  return false;
+}
+
+ProcedureEvent advance(std::span<const ProcedureStep> table, const Observation& seen, double time, double dt, ProcedureState& state) {
+  const auto steps = static_cast<std::int32_t>(table.size());
+  if (state.current < 0 || state.current >= steps || state.current >= kMaxProcedureSteps) return ProcedureEvent::kNone;
+  const ProcedureStep& step = table[state.current];
+  const bool done = heldLongEnough(step.done, seen, dt, state.heldDone);
+
+  // One event a call: a step that is done in the very moment of a fault is done one call later.
+  const int faults = int{faultBegins(step, seen, dt, state)} + int{becomesLate(step, time, state)};
+  if (faults > 0) {
+    state.faults[state.current] += faults;
+    return ProcedureEvent::kFault;
+  }
+  if (!done) return ProcedureEvent::kNone;
+  enterNext(table, time, state);
+  return state.current == steps ? ProcedureEvent::kCompleted : ProcedureEvent::kStepDone;
+}
+
+}  // namespace halsted
