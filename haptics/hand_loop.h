@@ -21,7 +21,7 @@ struct HandLoopConfig {
   WorkspaceMapping mapping;
   double fadeAfter = 50e-3;                    // [s] age of the local model at which the force begins to fade (DESIGN 2)
   double fadeOver = 50e-3;                     // [s] it is zero this much later
-  double velocityTime = 2e-3;                  // [s] of the velocity filter: one 0.055 mm count reads as 18 mm/s for 2 ms
+  double velocityTime = 4e-3;                  // [s] of the velocity filter: one 0.055 mm count reads as 11 mm/s, and decays
   double stiffnessCap = 2000.0;                // [N/m] the stiffest local model that is rendered
   double blendStep = 0.045;                    // [N] a tick: the most that replacing the model may change the force
   double blendShare = 0.4;                     // [1] a tick: decay of small offsets, so half is gone in 1.4 ticks
@@ -38,6 +38,7 @@ struct HandLoopState {
   Vec3 offset = Vec3::Zero();                  // [N] blend that keeps the force continuous when the model is replaced
   LocalContact model;                          // in use; kept to compare with the one that replaces it
   std::uint64_t lastStep = 0;                  // physics step of the model in use
+  std::uint64_t lastTick = 0;                  // index of the last tick
   std::uint64_t ageTicks = 0;                  // ticks since a new model arrived
   double observedEnergy = 0.0;                 // [J] passivity observer
   LimitState limits;
@@ -51,7 +52,7 @@ struct HandLoopOutput {
   bool stale = false;
 };
 
-/// One tick. `target` moves simulated hands only. The force is rendered from `contact` alone.
+/// One tick. `tickIndex` counts periods, so a loop that skipped some shows it here. `target` moves simulated hands only. The force is rendered from `contact` alone.
 /// The force is the device's: `scale` magnifies motion, not force, so the hand feels `scale` times the model's stiffness.
 void tick(Device&, const HandLoopConfig&, const LocalContact& contact, const HandTarget& target, std::uint64_t tickIndex,
           HandLoopState&, HandLoopOutput&) noexcept;

@@ -1,0 +1,36 @@
+#pragma once
+/// From a local contact model to the force of this instant. Pure functions, haptic thread, noexcept, bounded.
+/// physics.md B7: the haptic thread never sees particles, only the first-order model of what the tool feels.
+#include "sim/exchange.h"
+
+namespace halsted::haptics {
+
+/// F = force - stiffness (x - x0) - damping v, with `stiffness` scaled down to `stiffnessCap` when it exceeds what the device can
+/// show. Along a plane's normal the force never pulls. A model without planes may pull: needle, thread, grasp.
+/// A model that is not touching gives zero.
+Vec3 modelForce(const LocalContact&, const Vec3& x, const Vec3& v, double stiffnessCap) noexcept;     // [m] [m/s] [N/m] -> [N]
+
+/// Takes out what would pull along a plane's normal. A pull that was already there in `last` may remain, but only less by `step`:
+/// a needle that lets go while the shaft rests on tissue must not jump.
+Vec3 withoutAdhesion(const LocalContact&, const Vec3& force, const Vec3& last, double step) noexcept;  // [N] [N] [N]
+
+/// One tick of decay of the blend offset: exponential for small ones, never more than `step` at once.
+Vec3 decayedOffset(const Vec3& offset, double step, double share) noexcept;                           // [N] [N] [1]
+
+/// Share of the force that a model of this age may still show: 1 until `fadeAfter`, then linear to 0 over `fadeOver`.
+double freshness(double age, double fadeAfter, double fadeOver) noexcept;                             // [s] [s] [s] -> [1]
+
+struct PassivityConfig {
+  double maxDamping = 1.0;                     // [N s/m] added at most; far below mass / period = 45 N s/m of the bare device
+  double maxForce = 0.15;                      // [N] added at most
+  double minSpeed = 2e-3;                      // [m/s] below it quantisation, not motion, is what the velocity shows
+  double storage = 50e-3;                      // [J] energy the environment may have taken and can give back: 3.3 N on 110 N/m
+  double forget = 0.5;                         // [s] a deficit is forgotten: the other hand may rightly feed energy into this one
+};
+
+/// Hannaford & Ryu 2002 (time domain passivity). `energy` is what the environment took from the hand, exact for a held force:
+/// E += -F dx. Below zero it gave more than it took, and the controller adds damping until that is paid back.
+double observeEnergy(double energy, const Vec3& heldForce, const Vec3& moved, double dt, const PassivityConfig&) noexcept;  // [J] [N] [m] [s]
+Vec3 passivityDamping(double energy, const Vec3& v, double dt, const PassivityConfig&) noexcept;      // [J] [m/s] [s] -> [N]
+
+}  // namespace halsted::haptics

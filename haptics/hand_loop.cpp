@@ -1,0 +1,135 @@
+#include "haptics/hand_loop.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halsted::haptics {
+
+Pose toWorld(const WorkspaceMapping& mapping, const Pose& device) noexcept {
+  return {mapping.origin.apply(device.position * mapping.scale), mapping.origin.orientation * device.orientation};
+}
+
+Pose toDevice(const WorkspaceMapping& mapping, const Pose& world) noexcept {
+  return {mapping.origin.inverseApply(world.position) / mapping.scale, mapping.origin.orientation.conjugate() * world.orientation};
+}
+
+namespace {
+
+/// A usable pose: finite, and a quaternion long enough to be normalised.
+bool usable(const Pose& pose) noexcept {
+  const double length = pose.orientation.squaredNorm();  // [1]
+  return allFinite(pose.position) && std::isfinite(length) && length > 0.25 && length < 4.0;
+}
+
+constexpr std::uint64_t kMaxPeriods = 20;  // longest gap that is taken at its length
+
+double usableJaw(double jaw) noexcept { return jaw >= 0.0 ? std::min(jaw, 1.0) : 0.0; }  // [1] NaN closes
+
+void sendTarget(Device& device, const WorkspaceMapping& mapping, const HandTarget& target) noexcept {
+  HandTarget local = target;
+  local.valid = target.valid && usable(target.pose);
+  if (local.valid) local.pose = toDevice(mapping, target.pose);
+  device.setTarget(local);
+}
+
+/// The reading in the world, or the last good one with a fault.
+Pose readPose(const DeviceReading& reading, const HandLoopConfig& config, const HandLoopState& state,
+              std::uint32_t& faults) noexcept {
+  if (!reading.connected) faults |= kFaultDeviceGone;
+  else if (usable(reading.pose)) return toWorld(config.mapping, reading.pose);
+  else faults |= kFaultBadReading;
+  return {state.lastPosition, state.lastOrientation};
+}
+
+/// First-order filter on the difference of positions; its last trace is cut off before it reaches denormals.
+Vec3 filterVelocity(const HandLoopConfig& config, const HandLoopState& state, const Vec3& moved, double dt) noexcept {  // [m] [s]
+  const double share = dt / (config.velocityTime + dt);  // [1]
+  const Vec3 next = state.velocity + (moved / dt - state.velocity) * share;
+  return next.dot(next) > 1e-18 ? next : Vec3(Vec3::Zero());
+}
+
+double modelFreshness(const HandLoopConfig& config, const HandLoopState& state) noexcept {
+  return freshness(static_cast<double>(state.ageTicks) * config.period, config.fadeAfter, config.fadeOver);
+}
+
+/// What the model in use and the blend say here and now.
+Vec3 currentForce(const HandLoopConfig& config, const HandLoopState& state, const Vec3& position) noexcept {  // [m]
+  const Vec3 model = modelForce(state.model, position, state.velocity, config.stiffnessCap);
+  return (model + state.offset) * modelFreshness(config, state);
+}
+
+/// A new step replaces the model. What that would change in this instant goes into the offset, and from there decays.
+/// A puncture is meant to be felt: it jumps.
+void takeModel(const LocalContact& contact, const HandLoopConfig& config, const Vec3& position, HandLoopState& state) noexcept {
+  state.offset = decayedOffset(state.offset, config.blendStep, config.blendShare);
+  if (contact.step == state.lastStep) return;
+  const Vec3 before = currentForce(config, state, position);
+  const Vec3 after = modelForce(contact, position, state.velocity, config.stiffnessCap);
+  const Vec3 change = before - after;
+  state.offset = contact.puncture || !allFinite(change) ? Vec3(Vec3::Zero()) : change;
+  state.model = contact;
+  state.lastStep = contact.step;
+  state.ageTicks = 0;
+}
+
+/// The wanted force before passivity and limits; never more adhesive than a tick ago.
+Vec3 renderForce(const HandLoopConfig& config, const Vec3& position, HandLoopState& state) noexcept {  // [m]
+  const Vec3 blended = currentForce(config, state, position);
+  const Vec3 force = state.model.touching ? withoutAdhesion(state.model, blended, state.lastRendered, config.blendStep) : blended;
+  if (!allFinite(force)) {
+    state.offset = state.lastRendered = Vec3::Zero();
+    return force;  // limitForce turns it into zero and a fault
+  }
+  state.offset += force - blended;  // what was taken out as adhesion must not come back while the blend decays
+  state.lastRendered = force;
+  return force;
+}
+
+/// Force that the observer asks for, in the world; energy counts at the device, where `scale` has shrunk the motion.
+Vec3 keepPassive(const HandLoopConfig& config, const Vec3& moved, double dt, HandLoopState& state,
+                 std::uint32_t& faults) noexcept {  // moved [m], dt [s]
+  const double scale = config.mapping.scale;  // [1]
+  state.observedEnergy = observeEnergy(state.observedEnergy, state.lastForce, moved / scale, dt, config.passivity);
+  const Vec3 damping = passivityDamping(state.observedEnergy, state.velocity / scale, dt, config.passivity);
+  if (damping != Vec3::Zero()) faults |= kFaultPassivity;
+  return damping;
+}
+
+}  // namespace
+
+void tick(Device& device, const HandLoopConfig& config, const LocalContact& contact, const HandTarget& target,
+          std::uint64_t tickIndex, HandLoopState& state, HandLoopOutput& output) noexcept {
+  // Skipped periods show in the index; a long gap is taken as a short one so that the cost stays bounded.
+  const std::uint64_t periods = state.started ? std::clamp<std::uint64_t>(tickIndex - state.lastTick, 1, kMaxPeriods) : 1;
+  const double dt = static_cast<double>(periods) * config.period;  // [s]
+  state.lastTick = tickIndex;
+
+  std::uint32_t faults = 0;
+  sendTarget(device, config.mapping, target);
+  const DeviceReading reading = device.read(dt);
+  const Pose pose = readPose(reading, config, state, faults);
+  const Vec3 moved = state.started ? Vec3(pose.position - state.lastPosition) : Vec3(Vec3::Zero());  // [m]
+  state.velocity = filterVelocity(config, state, moved, dt);
+  if (state.velocity.norm() > config.limits.speed * config.mapping.scale) faults |= kFaultVelocity;
+
+  state.ageTicks += periods;
+  const Vec3 damping = keepPassive(config, moved, dt, state, faults);
+  takeModel(contact, config, pose.position, state);
+  output.stale = static_cast<double>(state.ageTicks) * config.period > config.fadeAfter;
+  if (output.stale) faults |= kFaultStale;
+  const Vec3 wanted = renderForce(config, pose.position, state) + (state.model.touching ? damping : Vec3(Vec3::Zero()));
+
+  const Quat& frame = config.mapping.origin.orientation;
+  const Vec3 sent = limitForce(frame.conjugate() * wanted, device.limits(), config.limits, dt, state.limits, faults);
+  if (!device.write(sent)) faults |= kFaultDeviceGone;
+
+  state.lastForce = frame * sent;
+  state.lastPosition = pose.position;
+  state.lastOrientation = pose.orientation;
+  state.started = true;
+  output.sample = {tickIndex, pose, state.velocity, usableJaw(reading.jaw), reading.presses};
+  output.force = state.lastForce;
+  output.faults = faults;
+}
+
+}  // namespace halsted::haptics
