@@ -28,9 +28,12 @@ struct SceneFile {
 
 /// `overrides` are "key=value" with the dotted TOML keys; unknown keys, wrong types and out-of-range values throw InputError.
 SceneFile readScene(const std::string& folder, const std::vector<std::string>& overrides);
+/// Whose word a path in an override is: typed by the user, or read from a file (then it stays inside the folder or HALSTED_DATA).
+enum class PathTrust { kUser, kFile };
+
 /// The same from text already in memory (a recorded session): `origin` stands for the file name in messages.
 SceneFile parseScene(const std::string& text, const std::string& origin, const std::string& folder,
-                     const std::vector<std::string>& overrides);
+                     const std::vector<std::string>& overrides, PathTrust overridePaths = PathTrust::kUser);
 
 /// Folders below the scenes directory that hold a scene.toml, sorted. The directory is HALSTED_SCENES, else where the build put it.
 std::vector<std::string> sceneFolders();

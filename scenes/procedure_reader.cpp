@@ -1,0 +1,85 @@
+#include "scenes/procedure_reader.h"
+
+#include <cmath>
+
+namespace halsted::scenes {
+namespace {
+
+constexpr double kLongestStep = 86400.0;  // [s] a day
+
+double boundedSeconds(const toml::node& node, const std::string& where) {  // [s]
+  const double seconds = requireNumber(node, where);  // [s]
+  if (!(seconds >= 0.0 && seconds <= kLongestStep)) throw InputError(where + ": must be 0 to " + plainNumber(kLongestStep) + " s");
+  return seconds;
+}
+
+Quantity readQuantity(const toml::node& node, const std::string& where) {
+  const std::string text = requireText(node, where);
+  Quantity quantity = Quantity::kTime;
+  if (parseQuantity(text, quantity)) return quantity;
+  std::string known;
+  for (int i = 0; i < kQuantities; ++i) known += (i ? ", " : "") + std::string(name(static_cast<Quantity>(i)));
+  throw InputError(where + ": '" + quoted(text) + "' is not one of " + known);
+}
+
+/// Reads `done` or `fault`; the latter also carries a name.
+Condition readCondition(const toml::node& node, const std::string& origin, const std::string& key, std::string* faultName) {
+  const toml::table* table = node.as_table();
+  if (!table) throw InputError(whereIs(origin, node, key) + ": must be a table, is " + kindOf(node));
+  Condition condition;
+  for (const auto& [part, value] : *table) {
+    const std::string where = whereIs(origin, value, key + "." + std::string(part.str()));
+    if (part == "quantity") condition.quantity = readQuantity(value, where);
+    else if (part == "min") condition.min = requireNumber(value, where);
+    else if (part == "max") condition.max = requireNumber(value, where);
+    else if (part == "hold_s") condition.hold = boundedSeconds(value, where);
+    else if (part == "name" && faultName) *faultName = requireText(value, where);
+    else throw InputError(where + ": unknown key");
+  }
+  const std::string where = whereIs(origin, node, key);
+  if (!table->contains("quantity")) throw InputError(where + ": has no quantity");
+  if (!table->contains("min") && !table->contains("max")) throw InputError(where + ": has neither min nor max");
+  if (!(condition.min <= condition.max)) throw InputError(where + ": min must not exceed max");
+  if (faultName && faultName->empty()) throw InputError(where + ": has no name");
+  return condition;
+}
+
+ProcedureStep readStep(const toml::table& table, const std::string& origin) {
+  ProcedureStep step;
+  for (const auto& [part, value] : table) {
+    const std::string key = "procedure." + std::string(part.str());
+    const std::string where = whereIs(origin, value, key);
+    if (part == "id") step.id = requireText(value, where);
+    else if (part == "instruction") step.instruction = requireText(value, where);
+    else if (part == "done") step.done = readCondition(value, origin, key, nullptr);
+    else if (part == "fault") step.fault = readCondition(value, origin, key, &step.faultName);
+    else if (part == "limit_s") step.limit = boundedSeconds(value, where);
+    else throw InputError(where + ": unknown key");
+  }
+  step.hasFault = table.contains("fault");
+  const std::string where = whereIs(origin, table, "procedure");
+  if (step.id.empty()) throw InputError(where + ": a step has no id");
+  if (step.instruction.empty()) throw InputError(where + ": step '" + quoted(step.id) + "' has no instruction");
+  if (!table.contains("done")) throw InputError(where + ": step '" + quoted(step.id) + "' has no done condition");
+  return step;
+}
+
+}  // namespace
+
+std::vector<ProcedureStep> readProcedure(const toml::node& node, const std::string& origin) {
+  const toml::array* list = node.as_array();
+  if (!list) throw InputError(whereIs(origin, node, "procedure") + ": must be [[procedure]] tables, is " + kindOf(node));
+  std::vector<ProcedureStep> steps;
+  for (const toml::node& entry : *list) {
+    if (!entry.is_table()) throw InputError(whereIs(origin, entry, "procedure") + ": must be a table, is " + kindOf(entry));
+    if (steps.size() == kMaxProcedureSteps)
+      throw InputError(whereIs(origin, entry, "procedure") + ": more than " + std::to_string(kMaxProcedureSteps) + " steps");
+    steps.push_back(readStep(*entry.as_table(), origin));
+    for (std::size_t i = 0; i + 1 < steps.size(); ++i)
+      if (steps[i].id == steps.back().id)
+        throw InputError(whereIs(origin, entry, "procedure") + ": two steps are called '" + quoted(steps.back().id) + "'");
+  }
+  return steps;
+}
+
+}  // namespace halsted::scenes

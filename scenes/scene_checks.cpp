@@ -1,0 +1,53 @@
+#include "scenes/scene_checks.h"
+
+#include "scenes/input_text.h"
+#include "scenes/tube_segment.h"
+
+namespace halsted::scenes {
+namespace {
+
+constexpr int kMostParticles = 20000;          // [1] beyond it no machine keeps 1 kHz
+constexpr double kThickestShare = 0.8;         // [1] of the radius: what the wall and the folds may take
+constexpr double kLongestThread = 3.0;         // [m]
+
+/// The place of the first of `keys` that was set, else the file.
+std::string placeOf(const std::string& origin, const SettingOrigins& origins, std::initializer_list<const char*> keys) {
+  for (const char* key : keys)
+    if (const auto found = origins.find(key); found != origins.end()) return found->second;
+  return quoted(origin) + ": " + *keys.begin();
+}
+
+void checkAnatomy(const AnatomyParams& anatomy, const std::string& origin, const SettingOrigins& origins) {
+  if (2 * anatomy.around * anatomy.along > kMostParticles)
+    throw InputError(placeOf(origin, origins, {"anatomy.around", "anatomy.along"}) + ": 2 x around x along must be at most " +
+                     std::to_string(kMostParticles) + " particles");
+  if (anatomy.mesh.empty() && anatomy.wall + anatomy.haustraDepth > kThickestShare * anatomy.radius)
+    throw InputError(placeOf(origin, origins, {"anatomy.wall", "anatomy.haustra_depth", "anatomy.radius"}) +
+                     ": wall and haustra_depth together leave no lumen in this radius");
+  if (anatomy.mesh.empty() && !anatomy.segment.empty())
+    throw InputError(placeOf(origin, origins, {"anatomy.segment"}) + ": needs anatomy.mesh");
+  try {
+    parseSegment(anatomy.segment);
+  } catch (const InputError& error) {
+    throw InputError(placeOf(origin, origins, {"anatomy.segment"}) + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+void checkScene(const SceneFile& scene, const std::string& origin, const SettingOrigins& origins) {
+  const SimParams& params = scene.params;
+  if (scene.title.empty()) throw InputError(quoted(origin) + ": title: is missing");
+  checkAnatomy(params.anatomy, origin, origins);
+  if (params.thread.nodes * params.thread.segmentLength > kLongestThread)
+    throw InputError(placeOf(origin, origins, {"thread.segment_length", "thread.nodes"}) + ": the thread is longer than " +
+                     plainNumber(kLongestThread) + " m");
+  const Vec3 view = scene.camera.target - scene.camera.eye;  // [m]
+  if (!(view.cross(scene.camera.up).norm() > 1e-6 * view.norm()))
+    throw InputError(placeOf(origin, origins, {"camera.up", "camera.eye", "camera.target"}) +
+                     ": eye and target coincide or up points along the view");
+  if (params.anvil.radius > 0.0 && params.anvil.from == params.anvil.to)
+    throw InputError(placeOf(origin, origins, {"anvil.to", "anvil.from"}) + ": the anvil has no length");
+}
+
+}  // namespace halsted::scenes
