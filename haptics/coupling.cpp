@@ -11,13 +11,12 @@ namespace {
 
 constexpr int kPlaneSweeps = 4;  // two planes settle in one sweep when square, three in a few when they are not
 
-int planeCount(const LocalContact& contact) noexcept { return std::clamp(contact.planeCount, 0, LocalContact::kMaxPlanes); }
-
-/// Largest row sum of absolute values: never below the largest eigenvalue.
-double stiffnessBound(const Mat3& k) noexcept {
-  double bound = 0.0;  // [N/m]
-  for (int row = 0; row < 3; ++row) bound = std::max(bound, std::abs(k(row, 0)) + std::abs(k(row, 1)) + std::abs(k(row, 2)));
-  return bound;
+/// What `gain` must be scaled with so that its largest row sum of absolute values, and with it every eigenvalue, is within `cap`.
+double shareWithin(const Mat3& gain, double cap) noexcept {  // [N/m] or [N s/m]
+  double bound = 0.0;
+  for (int row = 0; row < 3; ++row)
+    bound = std::max(bound, std::abs(gain(row, 0)) + std::abs(gain(row, 1)) + std::abs(gain(row, 2)));
+  return bound > cap ? cap / bound : 1.0;
 }
 
 }  // namespace
@@ -25,7 +24,7 @@ double stiffnessBound(const Mat3& k) noexcept {
 Vec3 withoutAdhesion(const LocalContact& contact, const Vec3& force, const Vec3& last, double step) noexcept {  // [N] all
   Vec3 kept = force;
   for (int sweep = 0; sweep < kPlaneSweeps; ++sweep) {
-    for (int i = 0; i < planeCount(contact); ++i) {
+    for (int i = 0; i < contact.planeCount; ++i) {
       const Vec3& normal = contact.planes[i].normal;
       const double floor = std::min(0.0, last.dot(normal) + step);  // [N]
       const double along = kept.dot(normal);                       // [N]
@@ -35,12 +34,20 @@ Vec3 withoutAdhesion(const LocalContact& contact, const Vec3& force, const Vec3&
   return kept;
 }
 
-Vec3 modelForce(const LocalContact& contact, const Vec3& x, const Vec3& v, double stiffnessCap) noexcept {  // [m] [m/s] [N/m]
+bool usable(const LocalContact& contact) noexcept {
+  if (contact.planeCount < 0 || contact.planeCount > LocalContact::kMaxPlanes) return false;
+  for (int i = 0; i < contact.planeCount; ++i) {
+    const double size = contact.planes[i].normal.squaredNorm();  // [1]
+    if (!(size > 0.99 && size < 1.01) || !allFinite(contact.planes[i].point)) return false;
+  }
+  return allFinite(contact.position) && allFinite(contact.force) && contact.stiffness.allFinite() && contact.damping.allFinite();
+}
+
+Vec3 modelForce(const LocalContact& contact, const Vec3& x, const Vec3& v, const CouplingCaps& caps) noexcept {  // [m] [m/s]
   if (!contact.touching) return Vec3::Zero();
-  const double bound = stiffnessBound(contact.stiffness);               // [N/m]
-  const double share = bound > stiffnessCap ? stiffnessCap / bound : 1.0;  // [1]
-  const Vec3 force = contact.force - contact.stiffness * (x - contact.position) * share - contact.damping * v;
-  return withoutAdhesion(contact, force, Vec3::Zero(), 0.0);
+  const Vec3 spring = contact.stiffness * (x - contact.position) * shareWithin(contact.stiffness, caps.stiffness);
+  const Vec3 damper = contact.damping * v * shareWithin(contact.damping, caps.damping);
+  return clampLength(withoutAdhesion(contact, contact.force - spring - damper, Vec3::Zero(), 0.0), caps.force);
 }
 
 Vec3 decayedOffset(const Vec3& offset, double step, double share) noexcept {  // [N] [N] [1]

@@ -5,10 +5,19 @@
 
 namespace halsted::haptics {
 
-/// F = force - stiffness (x - x0) - damping v, with `stiffness` scaled down to `stiffnessCap` when it exceeds what the device can
-/// show. Along a plane's normal the force never pulls. A model without planes may pull: needle, thread, grasp.
-/// A model that is not touching gives zero.
-Vec3 modelForce(const LocalContact&, const Vec3& x, const Vec3& v, double stiffnessCap) noexcept;     // [m] [m/s] [N/m] -> [N]
+/// What one hand's device can be asked to show; a model beyond it is scaled down, never refused.
+struct CouplingCaps {
+  double stiffness = 2000.0;                   // [N/m] twice the weakest axis of the Touch
+  double damping = 5.0;                        // [N s/m] with the velocity filter 45 g would ring from some 10 on
+  double force = 10.0;                         // [N] three times the peak: keeps the blend from remembering what no motor showed
+};
+
+/// Every number finite, normals of unit length, plane count in range. What is not usable gives zero force and a fault.
+bool usable(const LocalContact&) noexcept;
+
+/// F = force - stiffness (x - x0) - damping v, within the caps. Along a plane's normal the force never pulls.
+/// A model without planes may pull: needle, thread, grasp. A model that is not touching gives zero.
+Vec3 modelForce(const LocalContact&, const Vec3& x, const Vec3& v, const CouplingCaps&) noexcept;     // [m] [m/s] -> [N]
 
 /// Takes out what would pull along a plane's normal. A pull that was already there in `last` may remain, but only less by `step`:
 /// a needle that lets go while the shaft rests on tissue must not jump.

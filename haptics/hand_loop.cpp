@@ -15,10 +15,12 @@ Pose toDevice(const WorkspaceMapping& mapping, const Pose& world) noexcept {
 
 namespace {
 
-/// A usable pose: finite, and a quaternion long enough to be normalised.
-bool usable(const Pose& pose) noexcept {
-  const double length = pose.orientation.squaredNorm();  // [1]
-  return allFinite(pose.position) && std::isfinite(length) && length > 0.25 && length < 4.0;
+constexpr double kLargestReading = 1.0;  // [m] no device reaches farther: a larger number is a broken one
+
+/// A usable pose: finite, within reach of a device, and a quaternion long enough to be normalised.
+bool usablePose(const Pose& pose) noexcept {
+  const double size = pose.orientation.squaredNorm();  // [1]
+  return allFinite(pose.position) && pose.position.cwiseAbs().maxCoeff() < kLargestReading && size > 0.25 && size < 4.0;
 }
 
 constexpr std::uint64_t kMaxPeriods = 20;  // longest gap that is taken at its length
@@ -27,8 +29,8 @@ double usableJaw(double jaw) noexcept { return jaw >= 0.0 ? std::min(jaw, 1.0) :
 
 void sendTarget(Device& device, const WorkspaceMapping& mapping, const HandTarget& target) noexcept {
   HandTarget local = target;
-  local.valid = target.valid && usable(target.pose);
-  if (local.valid) local.pose = toDevice(mapping, target.pose);
+  if (target.valid) local.pose = toDevice(mapping, target.pose);
+  local.valid = target.valid && usablePose(local.pose);
   device.setTarget(local);
 }
 
@@ -36,7 +38,7 @@ void sendTarget(Device& device, const WorkspaceMapping& mapping, const HandTarge
 Pose readPose(const DeviceReading& reading, const HandLoopConfig& config, const HandLoopState& state,
               std::uint32_t& faults) noexcept {
   if (!reading.connected) faults |= kFaultDeviceGone;
-  else if (usable(reading.pose)) return toWorld(config.mapping, reading.pose);
+  else if (usablePose(reading.pose)) return toWorld(config.mapping, reading.pose);
   else faults |= kFaultBadReading;
   return {state.lastPosition, state.lastOrientation};
 }
@@ -54,7 +56,7 @@ double modelFreshness(const HandLoopConfig& config, const HandLoopState& state) 
 
 /// What the model in use and the blend say here and now.
 Vec3 currentForce(const HandLoopConfig& config, const HandLoopState& state, const Vec3& position) noexcept {  // [m]
-  const Vec3 model = modelForce(state.model, position, state.velocity, config.stiffnessCap);
+  const Vec3 model = modelForce(state.model, position, state.velocity, config.caps);
   return (model + state.offset) * modelFreshness(config, state);
 }
 
@@ -63,12 +65,13 @@ Vec3 currentForce(const HandLoopConfig& config, const HandLoopState& state, cons
 void takeModel(const LocalContact& contact, const HandLoopConfig& config, const Vec3& position, HandLoopState& state) noexcept {
   state.offset = decayedOffset(state.offset, config.blendStep, config.blendShare);
   if (contact.step == state.lastStep) return;
-  const Vec3 before = currentForce(config, state, position);
-  const Vec3 after = modelForce(contact, position, state.velocity, config.stiffnessCap);
-  const Vec3 change = before - after;
-  state.offset = contact.puncture || !allFinite(change) ? Vec3(Vec3::Zero()) : change;
-  state.model = contact;
   state.lastStep = contact.step;
+  state.modelUsable = usable(contact);
+  if (!state.modelUsable) return;
+  const Vec3 before = currentForce(config, state, position);
+  const Vec3 after = modelForce(contact, position, state.velocity, config.caps);
+  state.offset = contact.puncture ? Vec3(Vec3::Zero()) : Vec3(before - after);
+  state.model = contact;
   state.ageTicks = 0;
 }
 
@@ -76,10 +79,6 @@ void takeModel(const LocalContact& contact, const HandLoopConfig& config, const 
 Vec3 renderForce(const HandLoopConfig& config, const Vec3& position, HandLoopState& state) noexcept {  // [m]
   const Vec3 blended = currentForce(config, state, position);
   const Vec3 force = state.model.touching ? withoutAdhesion(state.model, blended, state.lastRendered, config.blendStep) : blended;
-  if (!allFinite(force)) {
-    state.offset = state.lastRendered = Vec3::Zero();
-    return force;  // limitForce turns it into zero and a fault
-  }
   state.offset += force - blended;  // what was taken out as adhesion must not come back while the blend decays
   state.lastRendered = force;
   return force;
@@ -115,6 +114,7 @@ void tick(Device& device, const HandLoopConfig& config, const LocalContact& cont
   state.ageTicks += periods;
   const Vec3 damping = keepPassive(config, moved, dt, state, faults);
   takeModel(contact, config, pose.position, state);
+  if (!state.modelUsable) faults |= kFaultNonFinite;
   output.stale = static_cast<double>(state.ageTicks) * config.period > config.fadeAfter;
   if (output.stale) faults |= kFaultStale;
   const Vec3 wanted = renderForce(config, pose.position, state) + (state.model.touching ? damping : Vec3(Vec3::Zero()));

@@ -22,7 +22,7 @@ struct HandLoopConfig {
   double fadeAfter = 50e-3;                    // [s] age of the local model at which the force begins to fade (DESIGN 2)
   double fadeOver = 50e-3;                     // [s] it is zero this much later
   double velocityTime = 4e-3;                  // [s] of the velocity filter: one 0.055 mm count reads as 11 mm/s, and decays
-  double stiffnessCap = 2000.0;                // [N/m] the stiffest local model that is rendered
+  CouplingCaps caps;
   double blendStep = 0.045;                    // [N] a tick: the most that replacing the model may change the force
   double blendShare = 0.4;                     // [1] a tick: decay of small offsets, so half is gone in 1.4 ticks
   PassivityConfig passivity;
@@ -42,6 +42,7 @@ struct HandLoopState {
   std::uint64_t ageTicks = 0;                  // ticks since a new model arrived
   double observedEnergy = 0.0;                 // [J] passivity observer
   LimitState limits;
+  bool modelUsable = true;                     // false: the newest model has a number that is none; force is zero until the next
   bool started = false;
 };
 
