@@ -31,14 +31,14 @@ namespace {
 class Hasher {
  public:
   template <class T> void leaf(const FieldPath&, const T* data, std::size_t count, int) {
-    std::size_t i = 0;
+    const T* const end = data + count;
     if (count >= 32) {
       std::uint64_t lane[4] = {sum_ ^ 1, sum_ ^ 2, sum_ ^ 3, sum_ ^ 4};
-      for (; i + 4 <= count; i += 4)
-        for (int k = 0; k < 4; ++k) lane[k] = mix(lane[k], word(data[i + k]));
+      for (; end - data >= 4; data += 4)
+        for (int k = 0; k < 4; ++k) lane[k] = mix(lane[k], word(data[k]));
       for (std::uint64_t l : lane) sum_ = mix(sum_, l);
     }
-    for (; i < count; ++i) sum_ = mix(sum_, word(data[i]));
+    for (; data != end; ++data) sum_ = mix(sum_, word(*data));
   }
   void size(const FieldPath&, std::size_t length) { sum_ = mix(sum_, length); }
   std::uint64_t sum() const { return sum_; }

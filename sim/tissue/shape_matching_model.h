@@ -1,18 +1,34 @@
 #pragma once
 /// Overlapping shape-matching clusters with the counts of paper 003: the preset `paper`. It has no material (physics.md 0.2).
+/// One cluster per particle: the particle and its nearest neighbours along the mesh.
 #include <vector>
 
+#include "sim/lane_math.h"
 #include "sim/types.h"
 
 namespace halsted {
 
+struct TissueModel;
+struct TissueParams;
+
 struct ShapeMatchingModel {
+  static constexpr int kMembers = 20;          // [1] per cluster, fewer only where the mesh itself is smaller
   int substeps = 8;                            // [1] per frame of 12 ms in the paper; here per dt
   int iterations = 2;                          // [1]
   double resistance = 0.65;                    // [1]
+  Vec3 origin = Vec3::Zero();                  // [m] rest centroid of all particles; sums are taken about it to keep digits
   std::vector<int> clusterStart;               // prefix sums into `member`, size clusters + 1
   std::vector<int> member;                     // particle indices, ascending within a cluster
-  std::vector<Vec3> restOffset;                // [m] per member: rest position - rest centroid
+  std::vector<int> ownerStart;                 // prefix sums into `owner`, size particles + 1
+  std::vector<int> owner;                      // clusters that hold a particle, ascending
+  // A particle's mass is shared equally among its clusters: then averaging the goals conserves momentum.
+  std::vector<double> rest;                    // per particle: x, y, z of rest - origin [m], 1
+  std::vector<double> share;                   // [kg] per particle: mass / clusters that hold it
+  std::vector<double> restCentroid;            // per cluster: x, y, z of the mass centre - origin [m], 1 / sum of shares [1/kg]
+  LanePath path = LanePath::kNarrow;           // set by the builder to the widest the CPU has
 };
+
+/// Fills `model.shape`; needs rest positions, tets and masses.
+void buildShapeMatching(TissueModel& model, const TissueParams&);
 
 }  // namespace halsted

@@ -1,5 +1,6 @@
 #include "sim/tissue/tissue.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -80,7 +81,8 @@ TissueWork prepareWork(const TissueModel& m) {
   w.previous.resize(m.rest.size());
   w.target.resize(m.rest.size());
   w.rows.resize(m.rest.size() * 4);
-  w.scratch.resize(static_cast<std::size_t>(m.projective.groups) * 12 * ProjectiveModel::kLanes);
+  w.scratch.resize(std::max(static_cast<std::size_t>(m.projective.groups) * 12 * ProjectiveModel::kLanes,
+                            m.rest.size() * 24));                      // shape matching: a map per particle and per cluster
   return w;
 }
 
