@@ -27,7 +27,7 @@ struct HandDynamics {
   double maxSpeed = 0.25;                      // [m/s] of the aim
   double maxAcceleration = 10.0;               // [m/s^2] of the aim
   double aimTime = 8e-3;                       // [s] the aim reaches a near target with this time constant
-  double visualGain = 4000.0;                  // [N/(m s)] slow integral of what the eye sees; k / gain = 0.1 s
+  double visualGain = 7000.0;                  // [N/(m s)] slow integral of what the eye sees; k / gain = 57 ms
   double visualForce = 2.0;                    // [N] the most that looking adds: anti-windup
   double visualDeadband = 0.03e-3;             // [m] the eye is content with this
   double turnTime = 15e-3;                     // [s] lag of the orientation
