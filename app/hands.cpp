@@ -1,0 +1,37 @@
+#include "app/hands.h"
+
+#include "haptics/virtual_device.h"
+#include "scenes/scene.h"
+
+namespace halsted::app {
+namespace {
+
+/// Both devices stand before the opening, as beside a patient: their workspaces overlap in the operating field. Motion is magnified
+/// 1.5 times so that the 160 x 120 x 70 mm of a Touch cover a pull of the thread (design).
+haptics::WorkspaceMapping operatingField() {
+  haptics::WorkspaceMapping mapping;
+  mapping.origin.position = Vec3(0.0, 10e-3, 30e-3);             // [m] world
+  mapping.scale = 1.5;                                           // [1]
+  return mapping;
+}
+
+}  // namespace
+
+DeviceChoice parseDevice(const std::string& option, const std::string& text) {
+  if (text == "virtual") return {text, Mover::kNobody, ""};
+  if (text == "mouse") return {text, Mover::kMouse, ""};
+  if (text.rfind("script:", 0) == 0 && text.size() > 7) return {text, Mover::kScript, text.substr(7)};
+  throw scenes::InputError(option + " " + text + ": unknown device; virtual, mouse or script:FILE");
+}
+
+Hand makeHand(const DeviceChoice& choice, const Pose& start) {
+  Hand hand;
+  hand.config.period = kHapticPeriod;
+  hand.config.mapping = operatingField();
+  const char* kind = choice.mover == Mover::kMouse ? "mouse" : choice.mover == Mover::kScript ? "script" : "virtual";
+  hand.device = std::make_unique<haptics::VirtualDevice>(haptics::toDevice(hand.config.mapping, start), haptics::TouchDynamics{},
+                                                         haptics::HandDynamics{}, kind);
+  return hand;
+}
+
+}  // namespace halsted::app

@@ -1,0 +1,45 @@
+#include "app/parameters.h"
+
+#include <cstdio>
+
+#include "scenes/scene_fields.h"
+
+namespace halsted::app {
+namespace {
+
+std::string decimal(double value) {            // any unit
+  char digits[40];
+  std::snprintf(digits, sizeof digits, "%.17g", value);
+  const std::string text = digits;
+  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+/// Text and paths are not parameters of the physics: the scene text keeps them, the anatomy is stored whole.
+struct Printer {
+  std::string operator()(const double* value) const { return decimal(*value); }
+  std::string operator()(const int* value) const { return std::to_string(*value); }
+  std::string operator()(const std::uint64_t* value) const { return std::to_string(*value); }
+  std::string operator()(const Vec3* v) const { return "[" + decimal(v->x()) + ", " + decimal(v->y()) + ", " + decimal(v->z()) + "]"; }
+  std::string operator()(const TissueSolver* solver) const {
+    const char* names[] = {"projective", "xpbd", "shape_matching"};
+    return names[static_cast<int>(*solver)];
+  }
+  std::string operator()(const ToolKind* kind) const { return *kind == ToolKind::kForceps ? "forceps" : "needle_driver"; }
+  std::string operator()(const std::string*) const { return {}; }
+  std::string operator()(const scenes::MaterialName&) const { return {}; }
+  std::string operator()(const scenes::MeshPath&) const { return {}; }
+};
+
+}  // namespace
+
+std::vector<std::string> resolvedParameters(const scenes::SceneFile& given) {
+  scenes::SceneFile scene = given;             // the field list points into a scene that it may write
+  std::vector<std::string> lines;
+  for (const scenes::SceneField& field : scenes::sceneFields(scene)) {
+    const std::string value = std::visit(Printer{}, field.slot);
+    if (!value.empty()) lines.push_back(field.key + "=" + value);
+  }
+  return lines;
+}
+
+}  // namespace halsted::app

@@ -1,0 +1,101 @@
+#include "app/playback.h"
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include "app/errors.h"
+#include "app/progress.h"
+#include "app/report.h"
+#include "app/session/session_writer.h"
+#include "app/verifier.h"
+
+namespace halsted::app {
+namespace {
+
+/// What is done after every step besides stepping.
+struct Audience {
+  std::unique_ptr<SessionWriter> recorder;
+  std::unique_ptr<Verifier> verifier;
+  Watcher watcher;
+  Trace trace;
+
+  void record(const Lockstep& run) {
+    recorder->addStep(run.input(), hash(run.state()));
+    for (int i = 0; i < run.output().eventCount; ++i) recorder->addEvent(run.output().events[i]);
+    if (run.state().step % kStateInterval == 0) recorder->addState(run.state().step, save(run.state()));
+    recorder->commitWhenDue();
+  }
+
+  /// False: the run need not go on.
+  bool see(const Lockstep& run) {
+    trace.add(run.state(), run.output().events.data(), run.output().eventCount);
+    if (recorder) record(run);
+    if (watcher) watcher(run);
+    return !verifier || verifier->check(run);
+  }
+};
+
+void pace(const std::chrono::steady_clock::time_point& start, double simulated) {   // [s]
+  std::this_thread::sleep_until(start + std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(simulated)));
+}
+
+/// Steps to the end; wall-clock seconds.
+double runThrough(const PlayOptions& options, Lockstep& run, Audience& audience) {
+  const Stopwatch watch;
+  const auto start = std::chrono::steady_clock::now();
+  Progress progress;
+  if (audience.watcher) audience.watcher(run);
+  while (run.advance() && audience.see(run)) {
+    if (options.realtime) pace(start, run.time());
+    progress.show(run.time(), options.file);
+  }
+  return watch.seconds();
+}
+
+void finishRecording(SessionWriter& recorder, const Lockstep& run) {
+  recorder.addState(run.state().step, save(run.state()));
+  recorder.note("state_hash", hexadecimal(hash(run.state())));
+  recorder.close();
+}
+
+int verdict(const PlayOptions& options, const Lockstep& run, const Audience& audience, const RunSummary& summary) {
+  if (!run.failure().empty()) std::fprintf(stderr, "%s: %s\n", options.file.c_str(), run.failure().c_str());
+  const SessionReader* recording = run.scenario().recording.get();
+  if (recording && !recording->closedProperly())
+    std::fprintf(stderr, "%s: the recording ends without a proper close; everything up to step %llu is here\n", options.file.c_str(),
+                 static_cast<unsigned long long>(recording->steps()));
+  if (audience.verifier && audience.verifier->failed()) {
+    std::fprintf(stderr, "%s: %s\n", options.file.c_str(), audience.verifier->message().c_str());
+    return kCheckFailed;
+  }
+  if (audience.verifier && !options.json)
+    std::printf("  verified: all %llu state hashes are equal\n", static_cast<unsigned long long>(audience.verifier->stepsChecked()));
+  if (options.requireComplete && !summary.completed) {
+    std::fprintf(stderr, "%s: the procedure was not completed\n", options.file.c_str());
+    return kCheckFailed;
+  }
+  return kDone;
+}
+
+}  // namespace
+
+int play(const PlayOptions& options, const WatcherMaker& makeWatcher) {
+  const Scenario scenario = scenarioFromFile(options.file, options.overrides);
+  if (options.verify && !scenario.recording) throw scenes::InputError(options.file + ": --verify needs a recorded session, not a script");
+  Lockstep run(scenario);
+  Audience audience{nullptr, nullptr, nullptr, Trace(scenario.model.params.dt)};
+  if (!options.record.empty()) audience.recorder = std::make_unique<SessionWriter>(options.record, sessionHeader(scenario, ""));
+  if (options.verify) audience.verifier = std::make_unique<Verifier>();
+  if (makeWatcher) audience.watcher = makeWatcher(scenario);
+
+  const double wall = runThrough(options, run, audience);        // [s]
+  if (audience.recorder) finishRecording(*audience.recorder, run);
+  const RunSummary summary = summariseRun(scenario.scene.name, scenario.scene.title, scenario.model, run.state(), run.stepTimes(), wall);
+  if (!options.report.empty()) writeReport(options.report, summary, audience.trace);
+  std::fputs((options.json ? jsonOf(summary, "") : textOf(summary)).c_str(), stdout);
+  return verdict(options, run, audience, summary);
+}
+
+}  // namespace halsted::app

@@ -1,0 +1,33 @@
+#pragma once
+/// The scripted surgeons of a run, one per script: after each step they look at the state and say where their hands want to be.
+/// Runs on the physics thread.
+#include <array>
+#include <string>
+#include <vector>
+
+#include "app/scenario.h"
+
+namespace halsted::app {
+
+class Surgeons {
+ public:
+  explicit Surgeons(const Scenario&);          // the scenario must outlive it
+  /// True while a script has something left to do.
+  bool advance(const State&);
+  bool any() const { return !running_.empty(); }
+  const HandTarget& target(int hand) const { return targets_[hand]; }
+  const std::string& failure() const { return failure_; }        // an action that ran out of time; empty: none
+
+ private:
+  struct Running {
+    const scenes::ExpertScript* script;
+    scenes::ExpertStatePtr memory;
+    bool busy = true;
+  };
+  const Scenario& scenario_;
+  std::vector<Running> running_;
+  std::array<HandTarget, kHands> targets_{};
+  std::string failure_;
+};
+
+}  // namespace halsted::app
