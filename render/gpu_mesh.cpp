@@ -1,0 +1,56 @@
+#include "render/gpu_mesh.h"
+
+namespace halsted::render {
+
+void GpuMesh::draw() const {
+  if (count == 0) return;
+  glBindVertexArray(array);
+  glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, nullptr);
+}
+
+void GpuMesh::stream(const void* data, std::size_t bytes) const {
+  glBindBuffer(GL_ARRAY_BUFFER, vertices);
+  glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes), data);
+}
+
+void uploadIndices(GpuMesh& mesh, const std::vector<std::uint32_t>& indices) {
+  mesh.indices = makeBuffer();
+  mesh.count = static_cast<GLsizei>(indices.size());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data(), GL_STATIC_DRAW);
+}
+
+GpuMesh uploadShape(const Shape& shape) {
+  GpuMesh mesh{makeArray(), makeBuffer(), {}, 0};
+  glBindVertexArray(mesh.array);
+  describe(mesh.vertices, sizeof(ShapeVertex), {{0, 3, offsetof(ShapeVertex, position)}, {1, 3, offsetof(ShapeVertex, normal)},
+           {2, 2, offsetof(ShapeVertex, uv)}, {3, 4, offsetof(ShapeVertex, color), GL_UNSIGNED_BYTE}});
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(shape.vertices.size() * sizeof(ShapeVertex)), shape.vertices.data(), GL_STATIC_DRAW);
+  uploadIndices(mesh, shape.indices);
+  return mesh;
+}
+
+GpuMesh uploadTube(const Tube& tube) {
+  GpuMesh mesh{makeArray(), makeBuffer(), {}, 0};
+  glBindVertexArray(mesh.array);
+  describe(mesh.vertices, sizeof(TubeVertex), {{0, 3, offsetof(TubeVertex, centre)}, {1, 3, offsetof(TubeVertex, normal)},
+           {2, 3, offsetof(TubeVertex, radius)}});
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(tube.vertices.size() * sizeof(TubeVertex)), tube.vertices.data(), GL_STREAM_DRAW);
+  uploadIndices(mesh, tube.indices);
+  return mesh;
+}
+
+Texture uploadImage(const Image& image, Tiling tiling) {
+  Texture texture = makeTexture();
+  const GLint wrap = tiling == Tiling::kRepeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  glGenerateMipmap(GL_TEXTURE_2D);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);   // one level: half the price of two
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+  return texture;
+}
+
+}  // namespace halsted::render

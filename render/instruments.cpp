@@ -1,0 +1,124 @@
+#include "render/instruments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace halsted::render {
+namespace {
+
+using Color = std::array<double, 3>;
+constexpr Color kSteel{0.78, 0.80, 0.82};        // linear reflectance [1]
+constexpr Color kCarbide{0.34, 0.34, 0.36};      // jaw insert
+constexpr Color kGroove{0.16, 0.16, 0.17};
+constexpr Color kGold{0.83, 0.62, 0.26};         // gold rings mark tungsten-carbide jaws
+constexpr double kDegree = std::numbers::pi / 180.0;   // [rad]
+
+/// A cross-section of a blade: a box with rounded outside corners.
+struct Section {
+  double z = 0.0, inner = 0.0, outer = 0.0, width = 0.0;   // [m] position up the shaft; x of both faces; full size along y
+};
+
+Section between(const std::vector<Section>& s, double z) {  // [m]
+  std::size_t i = 1;
+  while (i + 1 < s.size() && s[i].z < z) ++i;
+  const double t = std::clamp((z - s[i - 1].z) / (s[i].z - s[i - 1].z), 0.0, 1.0);   // [1]
+  const double e = t * t * (3.0 - 2.0 * t);                                         // [1]
+  const auto mix = [&](double a, double b) { return a + (b - a) * e; };             // [m]
+  return {z, mix(s[i - 1].inner, s[i].inner), mix(s[i - 1].outer, s[i].outer), mix(s[i - 1].width, s[i].width)};
+}
+
+/// Seven points around a section: three on the inner face, four on the rounded back. x is mirrored by the sign of `side`.
+Vec3 blade(const Section& s, int k, double side) {          // side [1]
+  static constexpr double kAlongX[7] = {0.0, 0.0, 0.0, 0.45, 1.0, 1.0, 0.45};   // [1] share of the thickness
+  static constexpr double kAlongY[7] = {0.42, 0.0, -0.42, -0.5, -0.26, 0.26, 0.5};
+  const double x = s.inner + (s.outer - s.inner) * kAlongX[k];                      // [m]
+  return Vec3(side * x, side * kAlongY[k] * s.width, s.z);
+}
+
+struct Teeth { double from = 0.0, to = 0.0, pitch = 1.0, depth = 0.0; };   // [m] along z
+
+void addBlade(Shape& shape, const std::vector<Section>& sections, const Teeth& teeth, double side) {
+  std::vector<double> z;                                    // [m]
+  for (double at = sections.front().z; at < sections.back().z;
+       at += at >= teeth.from && at < teeth.to ? 0.5 * teeth.pitch : 1.7e-3) z.push_back(at);
+  z.push_back(sections.back().z);
+  const auto groove = [&](int i) { return z[i] > teeth.from && z[i] < teeth.to && i % 2 == 1; };
+  Loft loft{static_cast<int>(z.size()), 7, {}, {}};
+  loft.point = [&](int i, int k) {
+    Section s = between(sections, z[i]);
+    if (groove(i) && k < 3) s.inner += teeth.depth;
+    return blade(s, k, side);
+  };
+  loft.color = [&](int i, int k) {
+    if (z[i] < teeth.from || z[i] > teeth.to || k > 2) return kSteel;
+    return groove(i) ? kGroove : kCarbide;
+  };
+  addLoft(shape, loft);
+}
+
+/// Mayo-Hegar pattern: short serrated jaws, box lock, shanks that cross at the pin, ring handles.
+Shape needleDriverHalf(double side) {                       // [1] +1 or -1: the side of the jaw
+  Shape shape;
+  addBlade(shape, {{0.0, 0.02e-3, 0.95e-3, 2.0e-3}, {0.5e-3, 0.02e-3, 1.25e-3, 2.3e-3}, {6e-3, 0.02e-3, 1.7e-3, 2.9e-3},
+                   {10.5e-3, 0.02e-3, 2.5e-3, 3.9e-3}, {12e-3, -0.6e-3, 3.0e-3, 5.0e-3}},
+           {0.2e-3, 9.6e-3, 0.5e-3, 0.16e-3}, side);
+  // The two halves of the box lock lie one over the other along y.
+  addBlade(shape, {{11e-3, -2.6e-3, 3.0e-3, 4.4e-3}, {13e-3, -3.3e-3, 3.3e-3, side > 0 ? 5.6e-3 : 4.4e-3},
+                   {20e-3, -3.3e-3, 3.3e-3, side > 0 ? 5.6e-3 : 4.4e-3}, {23e-3, -2.8e-3, 1.0e-3, 4.0e-3}}, {}, side);
+  addBlade(shape, {{22e-3, -2.9e-3, 0.6e-3, 4.0e-3}, {34e-3, -3.7e-3, -0.5e-3, 3.4e-3}, {70e-3, -5.2e-3, -2.0e-3, 3.4e-3},
+                   {118e-3, -10e-3, -6.8e-3, 3.6e-3}, {128e-3, -13e-3, -9.5e-3, 3.6e-3}}, {}, side);
+  addRing(shape, 11e-3, 1.9e-3, {Vec3(-side * 20.5e-3, 0.0, 136e-3), Quat::Identity()}, kGold);
+  Pose pin{Vec3(0.0, side * 2.7e-3, 16e-3), Quat(Eigen::AngleAxisd(-side * 90 * kDegree, Vec3::UnitX()))};
+  addRevolved(shape, {{2.1e-3, -0.4e-3}, {2.1e-3, 0.25e-3}, {1.5e-3, 0.45e-3}}, pin, kSteel);
+  return shape;
+}
+
+/// Thumb forceps: one long tapered blade with a ribbed thumb rest, sprung at the far end.
+Shape forcepsHalf(double side) {                            // [1]
+  Shape shape;
+  addBlade(shape, {{0.0, 0.0, 0.55e-3, 1.1e-3}, {0.6e-3, 0.0, 0.8e-3, 1.5e-3}, {14e-3, 0.12e-3, 1.15e-3, 2.1e-3},
+                   {30e-3, 0.9e-3, 2.1e-3, 3.6e-3}, {58e-3, 3.2e-3, 4.6e-3, 7.6e-3}, {88e-3, 3.0e-3, 4.4e-3, 8.6e-3},
+                   {112e-3, 0.6e-3, 1.9e-3, 7.0e-3}, {122e-3, 0.0, 1.3e-3, 6.2e-3}},
+           {0.2e-3, 11e-3, 0.6e-3, 0.10e-3}, side);
+  for (int rib = 0; rib < 9; ++rib) {                       // thumb rest
+    const double z = (52.0 + 2.2 * rib) * 1e-3;             // [m]
+    addBlade(shape, {{z, 3.9e-3, 4.75e-3, 6.6e-3}, {z + 1.1e-3, 3.9e-3, 4.85e-3, 6.8e-3}}, {}, side);
+  }
+  return shape;
+}
+
+}  // namespace
+
+Instrument makeInstrument(ToolKind kind) {
+  Instrument out;
+  const bool driver = kind == ToolKind::kNeedleDriver;
+  for (int h = 0; h < 2; ++h) out.halves[h] = driver ? needleDriverHalf(h ? -1.0 : 1.0) : forcepsHalf(h ? -1.0 : 1.0);
+  // The simulated jaws are 12 mm long and 25 degrees apart when open (sim/params.h): their tips stand 5.2 mm apart.
+  out.hinge = driver ? 16e-3 : 118e-3;
+  out.openAngle = std::asin(2.6e-3 / out.hinge);
+  return out;
+}
+
+Pose halfPose(const Instrument& instrument, int half, double jaw, const Pose& tool) {
+  const double turn = std::clamp(jaw, 0.0, 1.0) * instrument.openAngle * (half ? 1.0 : -1.0);   // [rad]
+  const Quat q(Eigen::AngleAxisd(turn, Vec3::UnitY()));
+  const Vec3 axis(0.0, 0.0, instrument.hinge);
+  return {tool.apply(axis - q * axis), tool.orientation * q};
+}
+
+void addRod(Shape& shape, const CapsuleShape& rod) {
+  const Vec3 along = rod.b - rod.a;                         // [m]
+  const double length = along.norm(), r = rod.radius;      // [m]
+  const Pose pose{rod.a, Quat::FromTwoVectors(Vec3::UnitZ(), length > 0.0 ? along : Vec3(Vec3::UnitZ()))};
+  std::vector<std::array<double, 2>> profile{{0.05 * r, -r}, {0.7 * r, -0.7 * r}, {r, 0.0}};   // [m]
+  for (double from : {length - 3.4 * r, length - 1.5 * r}) {   // [m] two grooves that a stapler's clip snaps into
+    if (from < 0.5 * r) continue;
+    profile.insert(profile.end(), {{r, from}, {0.8 * r, from + 0.12 * r}, {0.8 * r, from + 0.5 * r}, {r, from + 0.62 * r}});
+  }
+  profile.insert(profile.end(), {{r, length - 0.1 * r}, {0.93 * r, length + 0.35 * r}, {0.7 * r, length + 0.7 * r},
+                                 {0.38 * r, length + 0.92 * r}, {0.04 * r, length + r}});
+  addRevolved(shape, profile, pose, {0.72, 0.74, 0.77});
+}
+
+}  // namespace halsted::render

@@ -1,0 +1,47 @@
+#include "render/noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace halsted::render {
+namespace {
+
+/// A number in [0, 1] that belongs to a lattice point.
+double lattice(int x, int y, int z, int period) {
+  if (period > 0) { x = ((x % period) + period) % period; y = ((y % period) + period) % period; }
+  std::uint32_t h = static_cast<std::uint32_t>(x) * 0x8da6b343u ^ static_cast<std::uint32_t>(y) * 0xd8163841u ^
+                    static_cast<std::uint32_t>(z) * 0xcb1ab31fu;
+  h = (h ^ (h >> 15)) * 0x2c1b3c6du;         // finaliser of MurmurHash3 kind: neighbours become unrelated
+  h = (h ^ (h >> 12)) * 0x297a2d39u;
+  return static_cast<double>((h ^ (h >> 15)) & 0xffffffu) / 16777215.0;
+}
+
+double blend(double a, double b, double t) { return a + (b - a) * t; }                 // all [1]
+double ease(double t) { return t * t * (3.0 - 2.0 * t); }                              // all [1]
+
+}  // namespace
+
+double noise(double x, double y, double z, int period) {
+  const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y)), k = static_cast<int>(std::floor(z));
+  const double u = ease(x - i), v = ease(y - j), w = ease(z - k);                      // [1]
+  const auto row = [&](int dj, int dk) {
+    return blend(lattice(i, j + dj, k + dk, period), lattice(i + 1, j + dj, k + dk, period), u);
+  };
+  return blend(blend(row(0, 0), row(1, 0), v), blend(row(0, 1), row(1, 1), v), w);
+}
+
+double fractalNoise(double x, double y, double z, int octaves, int period) {
+  double sum = 0.0, total = 0.0, strength = 1.0;                                       // [1]
+  for (int o = 0; o < octaves; ++o) {
+    const double scale = static_cast<double>(1 << o);                                  // [1]
+    sum += strength * noise(x * scale, y * scale, z * scale + 17.0 * o, period << o);
+    total += strength;
+    strength *= 0.5;
+  }
+  return sum / total;
+}
+
+double smoothStep(double low, double high, double x) { return ease(std::clamp((x - low) / (high - low), 0.0, 1.0)); }
+
+}  // namespace halsted::render

@@ -1,0 +1,141 @@
+#include "render/operating_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "render/light.h"
+#include "render/noise.h"
+
+namespace halsted::render {
+namespace {
+
+/// What is found at a point of the field, before light.
+struct Ground {
+  double height = 0.0;                       // [m] over the skin's plane
+  Vec3 color = Vec3::Zero();                 // linear reflectance [1]
+  double shade = 1.0;                        // [1] how much sky reaches it
+  double kind = 0.0;                         // 0 drape, 0.5 pad, 1 wound
+};
+
+/// Signed distance to a rounded rectangle turned by `turn`; negative inside. All in organ radii.
+double padDistance(double x, double y, const Vec3& place, double turn, const Vec3& half) {   // turn [rad]
+  const double c = std::cos(turn), s = std::sin(turn);                                       // [1]
+  const double u = std::abs(c * (x - place.x()) + s * (y - place.y())) - half.x();           // [1]
+  const double v = std::abs(-s * (x - place.x()) + c * (y - place.y())) - half.y();          // [1]
+  return std::hypot(std::max(u, 0.0), std::max(v, 0.0)) + std::min(std::max(u, v), 0.0) - 0.35;
+}
+
+Ground drapeAt(double x, double y) {                                                         // [1] organ radii
+  const double warp = fractalNoise(0.25 * x + 3.0, 0.25 * y, 1.0, 2);                         // [1]
+  const double along = 0.8 * x + 0.6 * y;                                                     // [1]
+  const double fold = std::pow(0.5 + 0.5 * std::sin(1.5 * along + 7.0 * warp), 3.0);           // [1]
+  const double cross = std::pow(0.5 + 0.5 * std::sin(0.9 * (y - 0.4 * x) + 6.0 * warp + 1.0), 4.0);
+  const double crumple = fractalNoise(1.4 * x, 1.4 * y, 4.0, 3);                               // [1]
+  Ground g;
+  g.height = 6.5e-3 * fold + 4.5e-3 * cross + 1.6e-3 * crumple;
+  g.shade = 0.55 + 0.45 * smoothStep(0.0, 0.7, fold + 0.7 * cross);
+  g.color = Vec3(0.030, 0.150, 0.185) * (0.9 + 0.25 * crumple);
+  return g;
+}
+
+void layPad(double x, double y, double d, double seed, Ground& g) {                           // [1] organ radii
+  const double inside = smoothStep(0.10, -0.22, d);                                           // [1]
+  if (inside <= 0.0) {
+    g.shade *= 0.55 + 0.45 * smoothStep(0.0, 0.45, d);                                        // contact shadow on what lies below
+    return;
+  }
+  const double warp = fractalNoise(0.7 * x + seed, 0.7 * y, 2.0 + seed, 3);                   // [1]
+  const double fold = std::pow(0.5 + 0.5 * std::sin(2.6 * (0.5 * x - y) + 8.0 * warp + seed), 2.0);   // [1]
+  const double soak = smoothStep(2.5, 1.25, std::hypot(x, y) + 1.3 * (warp - 0.5));           // [1] fluid near the wound
+  const double blood = smoothStep(0.60, 0.74, fractalNoise(0.9 * x + 2 * seed, 0.9 * y, 6.0, 3)) * smoothStep(3.0, 1.4, std::hypot(x, y));
+  Vec3 color = Vec3(0.74, 0.72, 0.66) * (1.0 - 0.25 * soak);
+  color = color.cwiseProduct(Vec3(1.0, 1.0 - 0.38 * soak - 0.5 * blood, 1.0 - 0.40 * soak - 0.5 * blood));
+  const double hem = std::abs(d + 0.42);                                                      // [1] blue marker thread along the hem
+  if (hem < 0.05) color = Vec3(0.03, 0.10, 0.30);
+  g.height = (1.0 - inside) * g.height + inside * (6e-3 + 3.2e-3 * fold + 1e-3 * warp);
+  g.color = (1.0 - inside) * g.color + inside * color;
+  g.shade = (1.0 - inside) * g.shade + inside * (0.62 + 0.38 * fold);
+  g.kind = inside > 0.5 ? 0.5 : g.kind;
+}
+
+void openWound(double x, double y, Ground& g) {                                               // [1] organ radii
+  const double r = std::hypot(x, y), a = std::atan2(y, x);                                     // [1], [rad]
+  const double edge = 1.42 + 0.16 * noise(1.3 * std::cos(a) + 5.0, 1.3 * std::sin(a), 3.0) + 0.05 * std::sin(5.0 * a);   // [1]
+  const double inside = smoothStep(edge + 0.05, edge - 0.10, r);                               // [1]
+  if (inside <= 0.0) return;
+  const double lobes = std::abs(std::sin(9.0 * fractalNoise(1.6 * x, 1.6 * y, 7.0, 3)));       // [1]
+  const double deep = smoothStep(edge, 0.95, r);                                              // [1]
+  const double red = smoothStep(0.35, 0.65, fractalNoise(1.2 * x, 1.2 * y, 11.0, 3));          // [1]
+  Vec3 color = (1.0 - red) * Vec3(0.62, 0.40, 0.13) + red * Vec3(0.40, 0.075, 0.055);          // fat and raw muscle
+  color = (1.0 - 0.6 * deep) * color + 0.6 * deep * Vec3(0.22, 0.02, 0.018);
+  g.height = (1.0 - inside) * g.height + inside * (1e-3 - 9e-3 * deep + 1.6e-3 * lobes);
+  g.color = (1.0 - inside) * g.color + inside * color;
+  g.shade = (1.0 - inside) * g.shade + inside * (0.75 - 0.62 * deep) * (0.6 + 0.4 * lobes);
+  g.kind = inside > 0.5 ? 1.0 : g.kind;
+}
+
+Ground groundAt(double x, double y) {                                                         // [1] organ radii
+  Ground g = drapeAt(x, y);
+  layPad(x, y, padDistance(x, y, Vec3(-1.75, -0.35, 0), 0.30, Vec3(1.25, 2.1, 0)), 1.0, g);
+  layPad(x, y, padDistance(x, y, Vec3(1.55, 0.55, 0), -0.20, Vec3(1.35, 1.9, 0)), 4.0, g);
+  layPad(x, y, padDistance(x, y, Vec3(0.15, -1.9, 0), 1.42, Vec3(0.95, 1.9, 0)), 8.0, g);
+  openWound(x, y, g);
+  return g;
+}
+
+/// The lamp's pool of light ends softly: the theatre around the table is dark.
+double pool(double x, double y) { return 0.16 + 0.84 * smoothStep(7.0, 1.2, std::hypot(x, y)); }   // [1] organ radii
+
+Shape makeGrid(const FieldPlace& place) {
+  constexpr int kCells = 72;
+  Shape shape;
+  for (int j = 0; j <= kCells; ++j)
+    for (int i = 0; i <= kCells; ++i) {
+      const double u = 2.0 * i / kCells - 1.0, v = 2.0 * j / kCells - 1.0;                     // [1]
+      const double x = u * std::abs(u) * kFieldHalfSize, y = v * std::abs(v) * kFieldHalfSize;  // [m] finer in the middle
+      ShapeVertex vertex{};
+      const double z = place.centre.z() + groundAt(x / place.radius, y / place.radius).height;  // [m]
+      const double position[3] = {place.centre.x() + x, place.centre.y() + y, z};               // [m]
+      for (int k = 0; k < 3; ++k) vertex.position[k] = static_cast<float>(position[k]);
+      vertex.normal[2] = 1.0f;
+      vertex.uv[0] = static_cast<float>(0.5 + 0.5 * x / kFieldHalfSize);
+      vertex.uv[1] = static_cast<float>(0.5 + 0.5 * y / kFieldHalfSize);
+      shape.vertices.push_back(vertex);
+    }
+  const auto at = [](int i, int j) { return static_cast<std::uint32_t>(j * (kCells + 1) + i); };
+  for (int j = 0; j < kCells; ++j)
+    for (int i = 0; i < kCells; ++i)
+      shape.indices.insert(shape.indices.end(), {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+  return shape;
+}
+
+}  // namespace
+
+OperatingField makeOperatingField(const FieldPlace& place, int size) {
+  OperatingField field{makeGrid(place), {size, size, std::vector<std::uint8_t>(4u * size * size)}};
+  const double texel = 2.0 * kFieldHalfSize / size;                                            // [m]
+  std::vector<Ground> ground(static_cast<std::size_t>(size) * size);
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x)
+      ground[static_cast<std::size_t>(y) * size + x] =
+          groundAt(((x + 0.5) * texel - kFieldHalfSize) / place.radius, ((y + 0.5) * texel - kFieldHalfSize) / place.radius);
+  const auto at = [&](int x, int y) -> const Ground& {
+    return ground[static_cast<std::size_t>(std::clamp(y, 0, size - 1)) * size + std::clamp(x, 0, size - 1)];
+  };
+  const Vec3 lamp = lightDirection();
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      const Ground& g = at(x, y);
+      const Vec3 n = Vec3(at(x - 1, y).height - at(x + 1, y).height, at(x, y - 1).height - at(x, y + 1).height, 2.0 * texel).normalized();
+      const double light = g.shade * (0.30 + 1.05 * std::max(0.0, 0.15 + 0.85 * n.dot(lamp)));   // [1]
+      const Vec3 lit = g.color * light * pool(((x + 0.5) * texel - kFieldHalfSize) / place.radius,
+                                              ((y + 0.5) * texel - kFieldHalfSize) / place.radius);
+      std::uint8_t* out = &field.picture.rgba[4u * (static_cast<std::size_t>(y) * size + x)];
+      for (int k = 0; k < 3; ++k) out[k] = static_cast<std::uint8_t>(std::lround(255.0 * std::sqrt(std::clamp(lit[k], 0.0, 1.0))));
+      out[3] = static_cast<std::uint8_t>(std::lround(255.0 * g.kind));
+    }
+  return field;
+}
+
+}  // namespace halsted::render

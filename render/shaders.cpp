@@ -1,0 +1,220 @@
+#include "render/shaders.h"
+
+#include <cstdio>
+
+#include "render/light.h"
+
+namespace halsted::render {
+
+std::string shaderHead() {
+  char head[160];
+  const Vec3 l = lightDirection();
+  std::snprintf(head, sizeof head, "#version 330 core\nconst vec3 kLamp = vec3(%.6f, %.6f, %.6f);\n", l.x(), l.y(), l.z());
+  return head;
+}
+
+const char* const kRigidVertex = R"(
+layout(location = 0) in vec3 aPosition;
+layout(location = 1) in vec3 aNormal;
+layout(location = 2) in vec2 aUv;
+layout(location = 3) in vec4 aColor;
+uniform mat4 uModel, uViewProjection, uShadowMatrix;
+out vec3 vPosition, vNormal, vShadow;
+out vec2 vUv;
+out vec4 vColor;
+void main() {
+  vec4 world = uModel * vec4(aPosition, 1.0);
+  vPosition = world.xyz;
+  vNormal = mat3(uModel) * aNormal;
+  vShadow = (uShadowMatrix * world).xyz;
+  vUv = aUv;
+  vColor = aColor;
+  gl_Position = uViewProjection * world;
+})";
+
+const char* const kTissueVertex = R"(
+layout(location = 0) in vec3 aPosition;
+layout(location = 1) in vec3 aNormal;
+layout(location = 2) in vec2 aUv;
+layout(location = 3) in vec4 aColor;      // reflectance, sky reaching it
+layout(location = 4) in vec4 aSurface;    // vessels, bumps, gloss, 1 in the lumen
+uniform mat4 uViewProjection, uShadowMatrix;
+uniform float uOpen;                      // 1 at rest, 0 when the lumen is shut
+out vec3 vPosition, vNormal, vShadow;
+out vec2 vUv;
+out vec4 vColor;
+out vec3 vSurface;
+void main() {
+  vPosition = aPosition;
+  vNormal = aNormal;
+  vShadow = (uShadowMatrix * vec4(aPosition, 1.0)).xyz;
+  vUv = aUv;
+  vColor = vec4(aColor.rgb * aColor.rgb, aColor.a * mix(1.0, 0.35 + 0.65 * uOpen, aSurface.a));
+  vSurface = aSurface.rgb;
+  gl_Position = uViewProjection * vec4(aPosition, 1.0);
+})";
+
+const char* const kTubeVertex = R"(
+layout(location = 0) in vec3 aCentre;
+layout(location = 1) in vec3 aNormal;
+layout(location = 2) in vec3 aTube;       // radius, along, turn
+uniform mat4 uModel, uViewProjection, uShadowMatrix;
+uniform vec3 uEye;
+uniform float uPixelSize;                 // [1] size of a pixel at distance 1; 0 in the shadow map
+out vec3 vPosition, vNormal, vShadow;
+out vec2 vUv;
+out float vPixels;
+void main() {
+  vec3 centre = (uModel * vec4(aCentre, 1.0)).xyz;
+  vNormal = mat3(uModel) * aNormal;
+  float pixel = uPixelSize * distance(uEye, centre);
+  float radius = max(aTube.x, 0.45 * pixel) + 0.5 * pixel;   // half a pixel more, which the edge fades over
+  vPixels = radius / max(pixel, 1e-9);
+  vPosition = centre + vNormal * radius;
+  vShadow = (uShadowMatrix * vec4(vPosition, 1.0)).xyz;
+  vUv = aTube.yz;
+  gl_Position = uViewProjection * vec4(vPosition, 1.0);
+})";
+
+const char* const kHoleVertex = R"(
+layout(location = 0) in vec3 aPosition;
+layout(location = 1) in vec2 aCorner;
+uniform mat4 uViewProjection;
+out vec2 vCorner;
+void main() {
+  vCorner = aCorner;
+  gl_Position = uViewProjection * vec4(aPosition, 1.0);
+})";
+
+const char* const kDepthFragment = "void main() {}";
+
+const char* const kFieldFragment = R"(
+in vec3 vPosition, vNormal, vShadow;
+in vec2 vUv;
+in vec4 vColor;
+uniform sampler2D uSurface, uDetail;
+uniform sampler2DShadow uShadow;
+out vec4 color;
+void main() {
+  vec4 base = texture(uSurface, vUv);
+  vec4 detail = texture(uDetail, vUv * 16.0);
+  float lit = texture(uShadow, vShadow);
+  float wound = clamp(2.0 * base.a - 1.0, 0.0, 1.0), pad = clamp(2.0 * base.a, 0.0, 1.0) - wound;
+  float weave = mix(mix(detail.r, detail.g, pad), 0.6 + 0.5 * detail.a, wound);
+  vec3 c = base.rgb * base.rgb * weave * (0.34 + 0.66 * lit);
+  c += wound * lit * vec3(0.30, 0.26, 0.24) * pow(detail.a, 12.0);   // wet fat glints
+  color = vec4(sqrt(c), 1.0);
+})";
+
+const char* const kSteelFragment = R"(
+in vec3 vPosition, vNormal, vShadow;
+in vec2 vUv;
+in vec4 vColor;
+uniform sampler2D uReflection, uDetail;
+uniform sampler2DShadow uShadow;
+uniform vec3 uEye;
+out vec4 color;
+void main() {
+  vec3 n = normalize(vNormal), v = normalize(uEye - vPosition);
+  float streak = texture(uDetail, vec2(vUv.y * 12.0, vUv.x * 2.0)).b - 0.5;   // brushed across the shaft
+  n = normalize(n + 0.16 * streak);
+  vec3 r = reflect(-v, n) + vec3(0.0, 0.0, 1.0);
+  vec3 seen = texture(uReflection, 0.5 + 0.5 * r.xy * inversesqrt(dot(r, r))).rgb;
+  float lit = texture(uShadow, vShadow);
+  vec3 steel = vColor.rgb * vColor.rgb;
+  vec3 c = steel * (4.0 * seen * seen * (0.45 + 0.55 * lit) * 0.72 + 0.22 * lit * max(dot(n, kLamp), 0.0) + 0.05);
+  color = vec4(sqrt(c), 1.0);
+})";
+
+const char* const kNeedleFragment = R"(
+in vec3 vPosition, vNormal, vShadow;
+in vec2 vUv;
+in float vPixels;
+uniform sampler2D uReflection;
+uniform sampler2DShadow uShadow;
+uniform vec3 uEye;
+out vec4 color;
+void main() {
+  vec3 n = normalize(vNormal), v = normalize(uEye - vPosition);
+  float facing = clamp(dot(n, v), 0.0, 1.0);
+  vec3 r = reflect(-v, n) + vec3(0.0, 0.0, 1.0);
+  vec3 seen = texture(uReflection, 0.5 + 0.5 * r.xy * inversesqrt(dot(r, r))).rgb;
+  float lit = texture(uShadow, vShadow);
+  vec3 c = vec3(0.86, 0.88, 0.90) * (4.0 * seen * seen * (0.5 + 0.5 * lit) + 0.08);
+  color = vec4(sqrt(c), clamp((1.0 - sqrt(1.0 - facing * facing)) * vPixels, 0.0, 1.0));
+})";
+
+const char* const kThreadFragment = R"(
+in vec3 vPosition, vNormal, vShadow;
+in vec2 vUv;
+in float vPixels;
+uniform sampler2DShadow uShadow;
+uniform vec3 uEye, uTint;
+out vec4 color;
+void main() {
+  vec3 n = normalize(vNormal), v = normalize(uEye - vPosition);
+  float facing = clamp(dot(n, v), 0.0, 1.0);
+  float turns = 6.2831853 * vUv.y, along = 6.2831853 * vUv.x;
+  float ply = 0.5 + 0.5 * sin(turns + along * 520.0);                     // one dark ply in a lay of 1.9 mm: shows the twist
+  float braid = sin(3.0 * turns + along * 1500.0) * sin(3.0 * turns - along * 1500.0);
+  float near = clamp(vPixels * 0.2 - 0.6, 0.0, 1.0);                       // the braid only where it can be resolved
+  float lit = texture(uShadow, vShadow + vec3(0.0, 0.0, -0.0015));
+  vec3 base = uTint * (0.45 + 0.95 * ply) * (1.0 + 0.5 * near * braid);
+  float diffuse = clamp(dot(n, kLamp) * 0.7 + 0.3, 0.0, 1.0);
+  vec3 h = normalize(v + kLamp);
+  float s = clamp(dot(n, h), 0.0, 1.0); s *= s; s *= s; s *= s; s *= s;
+  vec3 c = base * (0.30 + 1.15 * diffuse * (0.25 + 0.75 * lit)) + 0.28 * lit * s * (0.5 + 0.5 * ply);
+  color = vec4(sqrt(c), clamp((1.0 - sqrt(1.0 - facing * facing)) * vPixels, 0.0, 1.0));
+})";
+
+const char* const kTissueFragment = R"(
+in vec3 vPosition, vNormal, vShadow;
+in vec2 vUv;
+in vec4 vColor;
+in vec3 vSurface;
+uniform sampler2D uSurface, uReflection;
+uniform sampler2DShadow uShadow;
+uniform vec3 uEye;
+out vec4 color;
+void main() {
+  vec4 detail = texture(uSurface, vUv);
+  vec3 n = normalize(vNormal), v = normalize(uEye - vPosition);
+  // Bumps from screen derivatives (Mikkelsen 2010): no tangents to follow the tissue.
+  vec3 px = dFdx(vPosition), py = dFdy(vPosition);
+  float height = detail.b * vSurface.g * 0.0011;
+  vec3 rx = cross(py, n), ry = cross(n, px);
+  float det = dot(px, rx);
+  n = normalize(abs(det) * n - sign(det) * (dFdx(height) * rx + dFdy(height) * ry));
+
+  float lit = 0.25 * (texture(uShadow, vShadow + vec3(0.0009, 0.0004, 0.0)) + texture(uShadow, vShadow + vec3(-0.0004, 0.0009, 0.0)) +
+                      texture(uShadow, vShadow + vec3(-0.0009, -0.0004, 0.0)) + texture(uShadow, vShadow + vec3(0.0004, -0.0009, 0.0)));
+  vec3 albedo = vColor.rgb * (0.80 + 0.40 * detail.r);
+  albedo = mix(albedo, vec3(0.36, 0.035, 0.035), detail.g * vSurface.r);
+  float sky = vColor.a;
+  float towards = dot(n, kLamp);
+  vec3 wrap = vec3(0.42, 0.22, 0.18);                       // red light scatters furthest in the wall
+  vec3 direct = clamp((towards + wrap) / (1.0 + wrap), 0.0, 1.0) * mix(vec3(0.20, 0.07, 0.06), vec3(1.0), lit);
+  float facing = clamp(dot(n, v), 0.0, 1.0);
+  vec3 ambient = mix(vec3(0.17, 0.13, 0.13), vec3(0.34, 0.34, 0.36), 0.5 + 0.5 * n.z);
+  vec3 c = albedo * (direct * (0.35 + 0.65 * sky) * 1.18 + ambient * sky);
+
+  float grazing = 1.0 - facing; grazing *= grazing; grazing *= grazing;
+  float gloss = vSurface.b * (0.45 + 0.75 * detail.a);
+  float s = clamp(dot(n, normalize(v + kLamp)), 0.0, 1.0);
+  s *= s; s *= s; s *= s; float broad = s * s;              // power 16
+  s = broad * broad; s *= s; s *= s;                        // power 128
+  vec3 r = reflect(-v, n) + vec3(0.0, 0.0, 1.0);
+  vec3 seen = texture(uReflection, 0.5 + 0.5 * r.xy * inversesqrt(dot(r, r))).rgb;
+  c += gloss * ((1.5 * s + 0.10 * broad) * lit + (0.035 + 0.30 * grazing) * 4.0 * seen * seen * sky * (0.4 + 0.6 * lit));
+  color = vec4(sqrt(c), 1.0);
+})";
+
+const char* const kHoleFragment = R"(
+in vec2 vCorner;
+out vec4 color;
+void main() {
+  float d = length(vCorner);
+  color = vec4(mix(vec3(0.10, 0.0, 0.0), vec3(0.42, 0.05, 0.05), smoothstep(0.4, 0.9, d)), 0.92 * (1.0 - smoothstep(0.65, 1.0, d)));
+})";
+
+}  // namespace halsted::render

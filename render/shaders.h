@@ -1,0 +1,22 @@
+#pragma once
+/// GLSL 3.30 sources. Colours are linear inside and leave as their square root, a gamma of 2 that costs one instruction.
+#include <string>
+
+namespace halsted::render {
+
+extern const char* const kRigidVertex;       // instruments, rods, field: ShapeVertex
+extern const char* const kTissueVertex;
+extern const char* const kTubeVertex;        // thread and needle: TubeVertex
+extern const char* const kHoleVertex;
+extern const char* const kDepthFragment;     // shadow map: nothing
+extern const char* const kFieldFragment;
+extern const char* const kSteelFragment;
+extern const char* const kTissueFragment;
+extern const char* const kThreadFragment;
+extern const char* const kNeedleFragment;
+extern const char* const kHoleFragment;
+
+/// Common head of every shader: version and the lamp's direction as a constant.
+std::string shaderHead();
+
+}  // namespace halsted::render

@@ -1,0 +1,54 @@
+#pragma once
+/// The visible surface: finer than the physics mesh, and a linear function of its particles, so following it is one sparse
+/// matrix-vector product a frame. Loop subdivision (Loop 1987) with creases where the layers meet (Hoppe et al. 1994), its weights
+/// multiplied out once; one step of progressive interpolation (Cheng et al. 2009) keeps the particles on the drawn surface.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim/types.h"
+
+namespace halsted::render {
+
+/// Sparse rows of weights over particles, each adding up to 1.
+struct SkinWeights {
+  std::vector<std::uint32_t> start;          // rows + 1
+  std::vector<std::uint32_t> particle;
+  std::vector<float> weight;                 // [1]
+};
+
+/// A corner of the drawn surface: `point` is a row of the weights; corners of one `normalSlot` share a smooth normal.
+struct SkinCorner {
+  std::uint32_t point = 0, normalSlot = 0;
+  std::array<float, 2> uv{};                 // (turn [1], length along the tube [m]), unwrapped across the seam
+  int layer = 0;
+};
+
+struct Skin {
+  SkinWeights weights;
+  std::vector<SkinCorner> corners;
+  std::vector<std::array<std::uint32_t, 3>> triangles;   // of corners
+  std::uint32_t normalSlots = 0;
+  int levels = 0;                                        // subdivisions made
+};
+
+/// Subdivides until another level would pass `triangleBudget`. Surface and layers as in RenderScene; uv per particle.
+/// Throws std::invalid_argument when an index is out of range.
+Skin buildSkin(const std::vector<std::array<int, 3>>& surface, const std::vector<int>& layers,
+               const std::vector<Eigen::Vector2d>& uv, std::size_t particles, std::size_t triangleBudget);
+
+/// Points and smooth normals of a pose of the particles. Keeps its buffers: no allocation after the first call.
+class SkinPose {
+ public:
+  explicit SkinPose(const Skin&);
+  void update(const Skin&, const std::vector<Vec3>& particles);              // [m]
+  const float* point(std::uint32_t row) const { return &points_[4 * row]; }        // [m]
+  const float* normal(std::uint32_t slot) const { return &normals_[4 * slot]; }    // [1]
+
+ private:
+  std::vector<float> particles_;             // [m] x, y, z, 0
+  std::vector<float> points_;                // [m] x, y, z, 0
+  std::vector<float> normals_;               // [1] x, y, z, 0
+};
+
+}  // namespace halsted::render

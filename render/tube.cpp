@@ -1,0 +1,108 @@
+#include "render/tube.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace halsted::render {
+namespace {
+
+constexpr int kPerSegment = 3;               // drawn pieces between two nodes
+constexpr double kTurn = 2.0 * std::numbers::pi;   // [rad]
+
+void makeIndices(int rings, Tube& tube) {
+  constexpr int kRow = Tube::kSides + 1;
+  tube.vertices.resize(static_cast<std::size_t>(rings) * kRow);
+  for (int i = 0; i + 1 < rings; ++i)
+    for (int k = 0; k < Tube::kSides; ++k) {
+      const auto at = [&](int di, int dk) { return static_cast<std::uint32_t>((i + di) * kRow + k + dk); };
+      tube.indices.insert(tube.indices.end(), {at(0, 0), at(0, 1), at(1, 1), at(0, 0), at(1, 1), at(1, 0)});
+    }
+}
+
+struct RingFrame {
+  Vec3 centre, first, second;                // [m], [1] two unit directions across the wire
+  double radius = 0.0, along = 0.0, twist = 0.0;   // [m], [m], [rad]
+};
+
+void writeRing(const RingFrame& ring, int index, Tube& tube) {
+  constexpr int kRow = Tube::kSides + 1;
+  for (int k = 0; k < kRow; ++k) {
+    const double turn = static_cast<double>(k) / Tube::kSides;                    // [1]
+    const double angle = kTurn * turn + ring.twist;                               // [rad]
+    const Vec3 n = std::cos(angle) * ring.first + std::sin(angle) * ring.second;
+    TubeVertex& v = tube.vertices[static_cast<std::size_t>(index) * kRow + k];
+    for (int c = 0; c < 3; ++c) {
+      v.centre[c] = static_cast<float>(ring.centre[c]);
+      v.normal[c] = static_cast<float>(n[c]);
+    }
+    v.radius = static_cast<float>(ring.radius);
+    v.along = static_cast<float>(ring.along);
+    v.turn = static_cast<float>(turn);
+  }
+}
+
+Vec3 anyAcross(const Vec3& direction) {
+  const Vec3 other = std::abs(direction.y()) < 0.9 ? Vec3::UnitY() : Vec3::UnitX();
+  return direction.cross(other).normalized();
+}
+
+/// Catmull and Rom 1974, uniform, tension one half: passes through p1 at t = 0 and p2 at t = 1.
+Vec3 spline(const Vec3& p0, const Vec3& p1, const Vec3& p2, const Vec3& p3, double t) {   // [m], t [1]
+  return 0.5 * (2.0 * p1 + t * ((p2 - p0) + t * ((2.0 * p0 - 5.0 * p1 + 4.0 * p2 - p3) + t * (3.0 * (p1 - p2) + p3 - p0))));
+}
+
+}  // namespace
+
+Tube makeThread(int nodes) {
+  Tube tube;
+  if (nodes >= 2) makeIndices((nodes - 1) * kPerSegment + 1, tube);
+  return tube;
+}
+
+void updateThread(const std::vector<Vec3>& nodes, const std::vector<double>& twist, double radius, Tube& tube) {
+  const int count = static_cast<int>(nodes.size()), rings = (count - 1) * kPerSegment + 1;
+  if (count < 2 || tube.vertices.size() != static_cast<std::size_t>(rings) * (Tube::kSides + 1)) return;
+  const auto node = [&](int i) -> const Vec3& { return nodes[std::clamp(i, 0, count - 1)]; };
+  const auto angle = [&](int i) { return i < static_cast<int>(twist.size()) ? twist[i] : 0.0; };
+  const auto place = [&](int ring) {
+    const int i = std::min(ring / kPerSegment, count - 2);
+    return spline(node(i - 1), node(i), node(i + 1), node(i + 2), static_cast<double>(ring) / kPerSegment - i);
+  };
+  RingFrame frame{place(0), Vec3::UnitX(), Vec3::UnitY(), radius, 0.0, 0.0};
+  Vec3 ahead = place(1), direction = (ahead - frame.centre).normalized();
+  frame.first = anyAcross(direction);
+  for (int ring = 0; ring < rings; ++ring) {
+    const Vec3 behind = frame.centre;
+    frame.centre = place(ring);
+    frame.along += (frame.centre - behind).norm();
+    ahead = place(std::min(ring + 1, rings - 1));
+    const Vec3 chord = ahead - behind;                                            // [m]
+    if (chord.squaredNorm() > 0.0) direction = chord.normalized();
+    const Vec3 across = frame.first - direction * direction.dot(frame.first);     // drop what the bend took
+    frame.first = across.squaredNorm() > 1e-12 ? Vec3(across.normalized()) : anyAcross(direction);
+    frame.second = direction.cross(frame.first);
+    const int i = std::min(ring / kPerSegment, count - 2);
+    const double t = static_cast<double>(ring) / kPerSegment - i;                 // [1]
+    frame.twist = (1.0 - t) * angle(i) + t * angle(i + 1);
+    writeRing(frame, ring, tube);
+  }
+}
+
+Tube makeNeedle(const NeedleShape& needle) {
+  constexpr int kRings = 73;
+  constexpr double kSwage = 0.055, kTaper = 0.80;   // [1] shares of the arc: the crimped barrel, where the point begins
+  Tube tube;
+  makeIndices(kRings, tube);
+  for (int i = 0; i < kRings; ++i) {
+    const double s = static_cast<double>(i) / (kRings - 1), t = s * needle.angle;   // [1], [rad]
+    const Vec3 out(std::cos(t), std::sin(t), 0.0);
+    double thickness = 1.0;                                                        // [1] of the wire
+    if (s < kSwage) thickness = 1.12 - 0.5 * std::exp(-60.0 * s);
+    if (s > kTaper) thickness = std::max(0.03, std::pow((1.0 - s) / (1.0 - kTaper), 0.75));
+    writeRing({needle.radius * out, -out, Vec3::UnitZ(), thickness * needle.wireRadius, s * needle.angle * needle.radius, 0.0}, i, tube);
+  }
+  return tube;
+}
+
+}  // namespace halsted::render

@@ -1,0 +1,29 @@
+#pragma once
+/// Round wires: the thread, smooth through its nodes with the twist of its material frame, and the needle.
+#include <cstdint>
+#include <vector>
+
+#include "sim/exchange.h"
+
+namespace halsted::render {
+
+struct TubeVertex {
+  float centre[3], normal[3];                // [m], [1] the vertex stands at centre + normal * radius
+  float radius, along, turn;                 // [m], [m] along the wire, [1] around it, counted from the material frame
+};
+
+struct Tube {
+  static constexpr int kSides = 7;           // plus one that closes the seam of the texture
+  std::vector<TubeVertex> vertices;
+  std::vector<std::uint32_t> indices;
+};
+
+/// Room and indices for a thread of that many nodes; `updateThread` fills the vertices and never allocates.
+Tube makeThread(int nodes);
+/// Catmull-Rom through `nodes`, frames transported without spin (Bishop 1975) and turned by `twist` [rad].
+void updateThread(const std::vector<Vec3>& nodes, const std::vector<double>& twist, double radius, Tube&);   // [m]
+
+/// The needle in its own frame: swage, round body, tapered tip.
+Tube makeNeedle(const NeedleShape&);
+
+}  // namespace halsted::render
