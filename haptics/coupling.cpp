@@ -43,8 +43,23 @@ bool usable(const LocalContact& contact) noexcept {
   return allFinite(contact.position) && allFinite(contact.force) && contact.stiffness.allFinite() && contact.damping.allFinite();
 }
 
+namespace {
+
+/// Nothing is touched yet, but planes are near: beyond one of them the spring of the model pushes back along its normal.
+Vec3 onsetForce(const LocalContact& contact, const Vec3& x, double share) noexcept {  // [m] [1]
+  Vec3 force = Vec3::Zero();
+  for (int i = 0; i < contact.planeCount; ++i) {
+    const Vec3& normal = contact.planes[i].normal;
+    const double gap = normal.dot(x - contact.planes[i].point);  // [m]
+    if (gap < 0.0) force -= normal * (gap * share * normal.dot(contact.stiffness * normal));
+  }
+  return force;
+}
+
+}  // namespace
+
 Vec3 modelForce(const LocalContact& contact, const Vec3& x, const Vec3& v, const CouplingCaps& caps) noexcept {  // [m] [m/s]
-  if (!contact.touching) return Vec3::Zero();
+  if (!contact.touching) return clampLength(onsetForce(contact, x, shareWithin(contact.stiffness, caps.stiffness)), caps.force);
   const Vec3 spring = contact.stiffness * (x - contact.position) * shareWithin(contact.stiffness, caps.stiffness);
   const Vec3 damper = contact.damping * v * shareWithin(contact.damping, caps.damping);
   return clampLength(withoutAdhesion(contact, contact.force - spring - damper, Vec3::Zero(), 0.0), caps.force);

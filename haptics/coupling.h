@@ -16,7 +16,9 @@ struct CouplingCaps {
 bool usable(const LocalContact&) noexcept;
 
 /// F = force - stiffness (x - x0) - damping v, within the caps. Along a plane's normal the force never pulls.
-/// A model without planes may pull: needle, thread, grasp. A model that is not touching gives zero.
+/// A model without planes may pull: needle, thread, grasp.
+/// A model that is not touching gives zero, but for planes published ahead of the contact: beyond one the force is the stiffness
+/// along its normal times the depth. So the first millisecond of a fast touch is already felt, and the blend has nothing to hide.
 Vec3 modelForce(const LocalContact&, const Vec3& x, const Vec3& v, const CouplingCaps&) noexcept;     // [m] [m/s] -> [N]
 
 /// Takes out what would pull along a plane's normal. A pull that was already there in `last` may remain, but only less by `step`:
@@ -32,6 +34,7 @@ double freshness(double age, double fadeAfter, double fadeOver) noexcept;       
 struct PassivityConfig {
   double maxDamping = 1.0;                     // [N s/m] added at most; far below mass / period = 45 N s/m of the bare device
   double maxForce = 0.15;                      // [N] added at most
+  double forceStep = 0.008;                    // [N] a tick: it comes and goes slowly, so that it is not felt as a click
   double minSpeed = 2e-3;                      // [m/s] below it quantisation, not motion, is what the velocity shows
   double storage = 50e-3;                      // [J] energy the environment may have taken and can give back: 3.3 N on 110 N/m
   double forget = 0.5;                         // [s] a deficit is forgotten: the other hand may rightly feed energy into this one

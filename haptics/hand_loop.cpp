@@ -68,30 +68,34 @@ void takeModel(const LocalContact& contact, const HandLoopConfig& config, const 
   state.lastStep = contact.step;
   state.modelUsable = usable(contact);
   if (!state.modelUsable) return;
-  const Vec3 before = currentForce(config, state, position);
+  const Vec3 before = withoutAdhesion(state.model, currentForce(config, state, position), state.lastRendered, config.blendStep);
   const Vec3 after = modelForce(contact, position, state.velocity, config.caps);
   state.offset = contact.puncture ? Vec3(Vec3::Zero()) : Vec3(before - after);
   state.model = contact;
   state.ageTicks = 0;
 }
 
-/// The wanted force before passivity and limits; never more adhesive than a tick ago.
+/// The wanted force before the limits; never more adhesive than a tick ago. What is taken out as adhesion is taken out of the
+/// blend and of the damping too, so that it does not come back.
 Vec3 renderForce(const HandLoopConfig& config, const Vec3& position, HandLoopState& state) noexcept {  // [m]
   const Vec3 blended = currentForce(config, state, position);
-  const Vec3 force = state.model.touching ? withoutAdhesion(state.model, blended, state.lastRendered, config.blendStep) : blended;
-  state.offset += force - blended;  // what was taken out as adhesion must not come back while the blend decays
-  state.lastRendered = force;
-  return force;
+  const Vec3 force = withoutAdhesion(state.model, blended, state.lastRendered, config.blendStep);
+  const Vec3 damped = withoutAdhesion(state.model, force + state.passiveForce, state.lastRendered, config.blendStep);
+  state.offset += force - blended;
+  state.passiveForce = damped - force;
+  state.lastRendered = damped;
+  return damped;
 }
 
-/// Force that the observer asks for, in the world; energy counts at the device, where `scale` has shrunk the motion.
-Vec3 keepPassive(const HandLoopConfig& config, const Vec3& moved, double dt, HandLoopState& state,
+/// Damping that pays an energy deficit back, in the world. Energy counts at the device, where `scale` has shrunk the motion.
+void keepPassive(const HandLoopConfig& config, const Vec3& moved, double dt, HandLoopState& state,
                  std::uint32_t& faults) noexcept {  // moved [m], dt [s]
   const double scale = config.mapping.scale;  // [1]
   state.observedEnergy = observeEnergy(state.observedEnergy, state.lastForce, moved / scale, dt, config.passivity);
-  const Vec3 damping = passivityDamping(state.observedEnergy, state.velocity / scale, dt, config.passivity);
-  if (damping != Vec3::Zero()) faults |= kFaultPassivity;
-  return damping;
+  Vec3 wanted = Vec3::Zero();
+  if (state.model.touching) wanted = passivityDamping(state.observedEnergy, state.velocity / scale, dt, config.passivity);
+  state.passiveForce += clampLength(wanted - state.passiveForce, config.passivity.forceStep);
+  if (state.passiveForce != Vec3::Zero()) faults |= kFaultPassivity;
 }
 
 }  // namespace
@@ -112,12 +116,12 @@ void tick(Device& device, const HandLoopConfig& config, const LocalContact& cont
   if (state.velocity.norm() > config.limits.speed * config.mapping.scale) faults |= kFaultVelocity;
 
   state.ageTicks += periods;
-  const Vec3 damping = keepPassive(config, moved, dt, state, faults);
   takeModel(contact, config, pose.position, state);
+  keepPassive(config, moved, dt, state, faults);
   if (!state.modelUsable) faults |= kFaultNonFinite;
   output.stale = static_cast<double>(state.ageTicks) * config.period > config.fadeAfter;
   if (output.stale) faults |= kFaultStale;
-  const Vec3 wanted = renderForce(config, pose.position, state) + (state.model.touching ? damping : Vec3(Vec3::Zero()));
+  const Vec3 wanted = renderForce(config, pose.position, state);
 
   const Quat& frame = config.mapping.origin.orientation;
   const Vec3 sent = limitForce(frame.conjugate() * wanted, device.limits(), config.limits, dt, state.limits, faults);

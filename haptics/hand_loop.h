@@ -23,7 +23,7 @@ struct HandLoopConfig {
   double fadeOver = 50e-3;                     // [s] it is zero this much later
   double velocityTime = 4e-3;                  // [s] of the velocity filter: one 0.055 mm count reads as 11 mm/s, and decays
   CouplingCaps caps;
-  double blendStep = 0.045;                    // [N] a tick: the most that replacing the model may change the force
+  double blendStep = 0.040;                    // [N] a tick: the most that replacing the model may change the force
   double blendShare = 0.4;                     // [1] a tick: decay of small offsets, so half is gone in 1.4 ticks
   PassivityConfig passivity;
   LimitConfig limits;
@@ -34,12 +34,13 @@ struct HandLoopState {
   Quat lastOrientation = Quat::Identity();     // world
   Vec3 velocity = Vec3::Zero();                // [m/s] filtered
   Vec3 lastForce = Vec3::Zero();               // [N] sent
-  Vec3 lastRendered = Vec3::Zero();            // [N] before passivity and limits
+  Vec3 lastRendered = Vec3::Zero();            // [N] before the limits
   Vec3 offset = Vec3::Zero();                  // [N] blend that keeps the force continuous when the model is replaced
   LocalContact model;                          // in use; kept to compare with the one that replaces it
   std::uint64_t lastStep = 0;                  // physics step of the model in use
   std::uint64_t lastTick = 0;                  // index of the last tick
   std::uint64_t ageTicks = 0;                  // ticks since a new model arrived
+  Vec3 passiveForce = Vec3::Zero();            // [N] damping that the observer has asked for
   double observedEnergy = 0.0;                 // [J] passivity observer
   LimitState limits;
   bool modelUsable = true;                     // false: the newest model has a number that is none; force is zero until the next

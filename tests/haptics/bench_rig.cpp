@@ -21,13 +21,12 @@ LocalContact planeContact(const ToolSample& sample, double surface) {  // [m]
 
 LocalContact SpringWall::step(const ToolSample& sample, double) const {
   const double depth = -sample.pose.position.y();  // [m]
-  if (depth <= 0.0) {
-    LocalContact none;
-    none.position = sample.pose.position;
-    return none;
-  }
-  LocalContact contact = planeContact(sample, 0.0);
-  contact.force.y() = stiffness * depth;
+  LocalContact contact;
+  contact.position = sample.pose.position;
+  if (depth <= -lookAhead) return contact;
+  contact = planeContact(sample, 0.0);
+  contact.touching = depth > 0.0;
+  contact.force.y() = std::max(0.0, stiffness * depth);
   contact.stiffness(1, 1) = stiffness;
   contact.damping(1, 1) = damping;
   return contact;

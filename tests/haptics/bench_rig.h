@@ -12,6 +12,7 @@ namespace halsted::haptics {
 struct SpringWall {
   double stiffness = 1000.0;                   // [N/m]
   double damping = 0.0;                        // [N s/m]
+  double lookAhead = 0.0;                      // [m] above the surface from which the plane is published
 
   LocalContact step(const ToolSample& sample, double) const;       // dt [s]
 };
