@@ -8,7 +8,7 @@ namespace halsted {
 namespace {
 
 constexpr int kLanes = 4;
-constexpr int kMap = 12;                       // three rows of four: x, y, z of the map's image; columns x, y, z, 1 of its argument
+constexpr int kMap = ShapeMatchingModel::kMap;  // three rows of four: x, y, z of the map's image; columns x, y, z, 1 of its argument
 
 struct Match {
   const ShapeMatchingModel& shape;
@@ -29,16 +29,26 @@ template <typename L> HALSTED_INLINE void formMoments(const Match& d, int partic
   }
 }
 
-/// Sums the maps `from` of the listed items.
-template <typename L> HALSTED_INLINE void sumMaps(const double* from, const int* item, int count, L sum[3]) {
-  const double* first = from + kMap * item[0];
-  for (int a = 0; a < 3; ++a) sum[a] = loadLanes<L>(first + 4 * a);
-  for (int k = 1; k < count; ++k) {
-    const double* next = from + kMap * item[k];
-    sum[0] = sum[0] + loadLanes<L>(next);
-    sum[1] = sum[1] + loadLanes<L>(next + 4);
-    sum[2] = sum[2] + loadLanes<L>(next + 8);
+/// Sums the maps at the listed offsets in two chains, even and odd, so that additions overlap.
+template <typename L> HALSTED_INLINE void sumMaps(const double* from, const int* offset, int count, L sum[3]) {
+  const double* first = from + offset[0];
+  L odd[3];
+  for (int a = 0; a < 3; ++a) {
+    sum[a] = loadLanes<L>(first + 4 * a);
+    odd[a] = sum[a] * 0.0;
   }
+  int k = 1;
+  for (; k + 2 <= count; k += 2) {
+    const double *left = from + offset[k], *right = from + offset[k + 1];
+    for (int a = 0; a < 3; ++a) {
+      odd[a] = odd[a] + loadLanes<L>(left + 4 * a);
+      sum[a] = sum[a] + loadLanes<L>(right + 4 * a);
+    }
+  }
+  if (k < count) {
+    for (int a = 0; a < 3; ++a) odd[a] = odd[a] + loadLanes<L>(from + offset[k] + 4 * a);
+  }
+  for (int a = 0; a < 3; ++a) sum[a] = sum[a] + odd[a];
 }
 
 template <typename L> HALSTED_INLINE LaneMat<L> rotationOf(const LaneRows<L>& q) {
@@ -96,7 +106,7 @@ template <typename L> HALSTED_INLINE void solveGroup(const Match& d, const int* 
                      {mx.y - mx.w * centroid.y, my.y - my.w * centroid.y, mz.y - mz.w * centroid.y},
                      {mx.z - mx.w * centroid.z, my.z - my.w * centroid.z, mz.z - mz.w * centroid.z}};
   LaneRows<L> q = gatherRows<L>(d.quaternion, cluster);
-  for (int k = 0; k < 2; ++k) turn(q, a, 1e-30);
+  turn(q, a, 1e-30);
   scatterRows<L>(d.quaternion, cluster, q);
   const LaneMat<L> r = rotationOf(q);
   const L im = centroid.w;                                             // [1/kg]
@@ -109,18 +119,19 @@ template <typename L> HALSTED_INLINE void solveGroup(const Match& d, const int* 
 /// x moves by `resistance` of the way to the mean goal of the particle's clusters.
 template <typename L> HALSTED_INLINE void moveToGoals(const Match& d, int particles) {
   const ShapeMatchingModel& s = d.shape;
+  const double rows[8] = {s.resistance, s.resistance, s.resistance, 0.0, s.origin.x(), s.origin.y(), s.origin.z(), 0.0};
+  const L stiffness = loadLanes<L>(rows), origin = loadLanes<L>(rows + 4);   // the fourth lane, inverse mass, stays
   for (int i = 0; i < particles; ++i) {
     double* row = d.rows + 4 * i;
     if (row[3] == 0.0) continue;                                       // held in place
     const int first = s.ownerStart[i], count = s.ownerStart[i + 1] - first;
     L sum[3];
-    sumMaps<L>(d.map, &s.owner[first], count, sum);
-    const double* q = &s.rest[4 * i];                                  // [m]
-    const double share = 1.0 / count;                                  // [1]
-    for (int a = 0; a < 3; ++a) {
-      const double goal = share * (sum[a][0] * q[0] + sum[a][1] * q[1] + sum[a][2] * q[2] + sum[a][3]) + s.origin[a];   // [m]
-      row[a] += s.resistance * (goal - row[a]);
-    }
+    sumMaps<L>(d.map, &s.ownerOffset[first], count, sum);
+    const L q = loadLanes<L>(&s.rest[4 * i]);
+    const LaneRows<L> product = transpose(LaneRows<L>{sum[0] * q, sum[1] * q, sum[2] * q, q});
+    const L goal = (1.0 / count) * (product.x + product.y + product.z + product.w) + origin;
+    const L x = loadLanes<L>(row);
+    storeLanes(row, x + stiffness * (goal - x));
   }
 }
 
@@ -142,7 +153,6 @@ template <typename L> HALSTED_INLINE void iterate(const Match& d) {
 }
 
 void iterateSerial(const Match& d) { iterate<Serial4>(d); }
-void iterateNarrow(const Match& d) { iterate<Lanes4>(d); }
 __attribute__((target("avx2"))) void iterateWide(const Match& d) { iterate<Lanes4>(d); }
 
 }  // namespace
@@ -150,14 +160,14 @@ __attribute__((target("avx2"))) void iterateWide(const Match& d) { iterate<Lanes
 void predictShapeMatching(const TissueModel& m, std::span<const Vec3> force, TissueState& s, TissueWork& w) {
   const ShapeMatchingModel& shape = m.shape;
   const double h = m.dt / shape.substeps;                              // [s]
-  const Match data{shape, w.rows.data(), w.scratch.data(), w.scratch.data() + kMap * m.mass.size(),
+  double* const scratch = alignRow(w.scratch.data());
+  const Match data{shape, w.rows.data(), scratch, scratch + kMap * m.mass.size(),
                    s.rotation[0].coeffs().data()};
   for (int k = 0; k < shape.substeps; ++k) {
     beginSubstep(m, force, h, s, w);
     for (int i = 0; i < shape.iterations; ++i) {
       switch (shape.path) {
         case LanePath::kSerial: iterateSerial(data); break;
-        case LanePath::kNarrow: iterateNarrow(data); break;
         case LanePath::kWide: iterateWide(data); break;
       }
     }

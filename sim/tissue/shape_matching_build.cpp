@@ -58,6 +58,8 @@ void buildClusters(const TissueModel& m, ShapeMatchingModel& s) {
     s.owner.insert(s.owner.end(), list.begin(), list.end());
     s.ownerStart.push_back(static_cast<int>(s.owner.size()));
   }
+  for (int i : s.member) s.memberOffset.push_back(ShapeMatchingModel::kMap * i);
+  for (int c : s.owner) s.ownerOffset.push_back(ShapeMatchingModel::kMap * c);
 }
 
 void buildRestShape(const TissueModel& m, ShapeMatchingModel& s) {

@@ -12,7 +12,8 @@ struct TissueModel;
 struct TissueParams;
 
 struct ShapeMatchingModel {
-  static constexpr int kMembers = 20;          // [1] per cluster, fewer only where the mesh itself is smaller
+  static constexpr int kMembers = 20;          // per cluster, fewer only where the mesh itself is smaller
+  static constexpr int kMap = 12;              // doubles of an affine map
   int substeps = 8;                            // [1] per frame of 12 ms in the paper; here per dt
   int iterations = 2;                          // [1]
   double resistance = 0.65;                    // [1]
@@ -21,11 +22,12 @@ struct ShapeMatchingModel {
   std::vector<int> member;                     // particle indices, ascending within a cluster
   std::vector<int> ownerStart;                 // prefix sums into `owner`, size particles + 1
   std::vector<int> owner;                      // clusters that hold a particle, ascending
+  std::vector<int> memberOffset, ownerOffset;  // kMap times `member` and `owner`
   // A particle's mass is shared equally among its clusters: then averaging the goals conserves momentum.
   std::vector<double> rest;                    // per particle: x, y, z of rest - origin [m], 1
   std::vector<double> share;                   // [kg] per particle: mass / clusters that hold it
   std::vector<double> restCentroid;            // per cluster: x, y, z of the mass centre - origin [m], 1 / sum of shares [1/kg]
-  LanePath path = LanePath::kNarrow;           // set by the builder to the widest the CPU has
+  LanePath path = LanePath::kSerial;           // set by the builder to the widest the CPU has
 };
 
 /// Fills `model.shape`; needs rest positions, tets and masses.

@@ -73,6 +73,7 @@ TissueState restState(const TissueModel& m) {
   const std::size_t padded = static_cast<std::size_t>(m.projective.groups) * ProjectiveModel::kLanes;
   s.rotation.assign(m.solver == TissueSolver::kShapeMatching ? clusters : padded, Quat::Identity());
   s.pressure.assign(padded, 0.0);
+  s.rodForce.assign(m.rest.size(), Vec3::Zero());
   return s;
 }
 
@@ -82,7 +83,7 @@ TissueWork prepareWork(const TissueModel& m) {
   w.target.resize(m.rest.size());
   w.rows.resize(m.rest.size() * 4);
   w.scratch.resize(std::max(static_cast<std::size_t>(m.projective.groups) * 12 * ProjectiveModel::kLanes,
-                            m.rest.size() * 24));                      // shape matching: a map per particle and per cluster
+                            m.rest.size() * 24 + 4));                  // shape matching: a map per particle and cluster, aligned
   return w;
 }
 

@@ -75,7 +75,6 @@ template <typename L> HALSTED_INLINE void sweep(const XpbdModel& x, Sweep s) {
 }
 
 void sweepSerial(const XpbdModel& x, const Sweep& s) { sweep<Serial4>(x, s); }
-void sweepNarrow(const XpbdModel& x, const Sweep& s) { sweep<Lanes4>(x, s); }
 __attribute__((target("avx2"))) void sweepWide(const XpbdModel& x, const Sweep& s) { sweep<Lanes4>(x, s); }
 
 }  // namespace
@@ -91,7 +90,6 @@ void predictXpbd(const TissueModel& m, std::span<const Vec3> force, TissueState&
     beginSubstep(m, force, h, s, w);
     switch (x.path) {
       case LanePath::kSerial: sweepSerial(x, data); break;
-      case LanePath::kNarrow: sweepNarrow(x, data); break;
       case LanePath::kWide: sweepWide(x, data); break;
     }
     endSubstep(h, s, w);

@@ -76,7 +76,7 @@ void buildXpbd(TissueModel& m, const TissueParams& params) {
   XpbdModel x;
   buildGroups(m, x);
   x.path = widestLanes();
-  const double softening = 1.0 * stiffnessPerMass(m) * m.dt * m.dt;   // [1]
+  const double softening = 0.36 * stiffnessPerMass(m) * m.dt * m.dt;   // [1]
   x.substeps = params.substeps;
   if (x.substeps <= 0) x.substeps = std::clamp(static_cast<int>(std::ceil(std::sqrt(softening / kPromise))), 1, kMaxSubsteps);
   x.stiffnessShortfall = softening / (static_cast<double>(x.substeps) * x.substeps);

@@ -20,7 +20,7 @@ struct XpbdModel {
   std::vector<int> laneVertex;                 // [group][corner][lane]
   std::vector<double> laneRestInverse;         // [1/m] [group][9][lane], row-major
   std::vector<double> laneInverseVolume;       // [1/m^3] [group][lane]
-  LanePath path = LanePath::kNarrow;           // set by the builder to the widest the CPU has
+  LanePath path = LanePath::kSerial;           // set by the builder to the widest the CPU has
 };
 
 /// Fills `model.xpbd`; needs masses, fixed flags, rest inverses and volumes. `substeps` 0: as many as the stiffness promise needs,
