@@ -87,7 +87,7 @@ struct RenderSnapshot {
   std::uint32_t bites = 0;
   std::uint32_t faults = 0;
   double openingArea = 0.0;                  // [m^2]
-  double threadTension = 0.0;                // [N] the larger of both ends
+  double threadTension = 0.0;                // [N] largest along the thread
 };
 
 /// What never changes while a scene runs; handed to the renderer once.

@@ -88,18 +88,20 @@ template <class V> struct FieldWalk {
   }
 
 HALSTED_FIELDS(Pose, position, orientation)
-HALSTED_FIELDS(TissueState, position, velocity, rotation, pressure)
-HALSTED_FIELDS(Hole, tet, weight, coordinate, force, bite, role)
-HALSTED_FIELDS(StrandContact, sample, feature, force)
-HALSTED_FIELDS(StrandState, position, velocity, tension, needle, needleVelocity, needleSpin, holes, holeCount, contacts, contactCount,
-               biteCount)
-HALSTED_FIELDS(ToolState, device, proxy, jaw, force, holdsNeedle, needleInTool, threadCoordinate, threadForce, needleForce, graspCount,
-               graspNode, graspLocal, graspForce, contactCount, contactTriangle, contactForce)
+HALSTED_FIELDS(TissueState, position, velocity, rotation, pressure, rodForce, pairCount, droppedPairs, pairVertex, pairTriangle, pairForce)
+HALSTED_FIELDS(Hole, tet, weight, coordinate, force, slip, bite, role)
+HALSTED_FIELDS(StrandContact, sample, feature, normalForce, force, weight)
+HALSTED_FIELDS(StrandState, position, velocity, tension, needle, needleVelocity, needleSpin, nearVertex, holes, holeCount, contacts,
+               contactCount, bitesBegun)
+HALSTED_FIELDS(ToolState, device, proxy, jaw, closed, force, holdsNeedle, needleCoordinate, needleInTool, needleForce, threadCoordinate,
+               threadForce, strandForce, graspCount, graspTriangle, graspWeight, graspLocal, graspForce, contactCount, contactTriangle,
+               contactWeight, contactNormal, contactForce, nearCount, nearTriangle)
 HALSTED_FIELDS(ProcedureState, current, heldDone, heldFault, stepStart, finished, faults, inFault, late)
 HALSTED_FIELDS(HandMetrics, pathLength, peakForce, forceSum, forceSteps, lastPosition, started)
 HALSTED_FIELDS(BiteMetrics, depth, spacing, entryAngle, width)
-HALSTED_FIELDS(MetricsState, hands, bites, biteCount, acrossOpening, tears, peakStretch, peakTension, openingArea, restOpeningArea)
-HALSTED_FIELDS(State, step, random, tissue, strand, tools, procedure, metrics)
+HALSTED_FIELDS(MetricsState, hands, bites, biteCount, pendingEntry, lastExit, acrossOpening, tears, peakStretch, peakTension, openingArea, restOpeningArea)
+template <class V> void visitMembers(StepWork&, V&) {}   // scratch is not part of the state's value
+HALSTED_FIELDS(State, step, random, tissue, strand, tools, procedure, metrics, work)
 
 #undef HALSTED_FIELDS
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "sim/contact/surface.h"
 #include "sim/mesh.h"
 #include "sim/params.h"
 #include "sim/procedure.h"
@@ -15,9 +16,11 @@ namespace halsted {
 struct Model {
   SimParams params;
   TetMesh mesh;
+  SurfaceModel surface;                        // neighbours and owners on the tissue's surface
   TissueModel tissue;                          // solver data: masses, factor, inverse
   StrandModel strand;                          // thread and needle: masses, rest lengths, arc samples
   std::vector<ProcedureStep> procedure;
+  double restOpening = 0.0;                    // [m^2] area of the rim's outline at rest
 };
 
 /// Throws std::invalid_argument naming the parameter when a value makes no physical sense.

@@ -8,16 +8,9 @@
 
 #include "sim/state.h"
 #include "sim/tissue/tissue_model.h"
+#include "sim/work.h"
 
 namespace halsted {
-
-/// Scratch memory, sized once; contents are meaningless between steps and are not part of the state's hash.
-struct TissueWork {
-  std::vector<Vec3> previous;                  // [m] positions at the start of the step
-  std::vector<Vec3> target;                    // per particle: right-hand side, or predicted position; by solver
-  std::vector<double> rows;                    // per particle: four doubles for the factored solve
-  std::vector<double> scratch;                 // by solver
-};
 
 TissueState restState(const TissueModel&);
 TissueWork prepareWork(const TissueModel&);

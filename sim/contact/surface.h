@@ -1,0 +1,42 @@
+#pragma once
+/// The tissue's surface as neighbours and owners, and the search for the surface point nearest to a moving sample.
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sim/mesh.h"
+#include "sim/types.h"
+
+namespace halsted {
+
+struct SurfaceModel {
+  std::vector<std::array<int, 3>> triangles;       // outward, counter-clockwise
+  std::vector<int> vertices;                       // vertices that lie on the surface, ascending
+  std::vector<int> triangleTet;                    // owner tet of each triangle
+  std::vector<int> triangleStart, triangleOf;      // triangles at each vertex (prefix sums, items)
+  std::vector<int> neighbourStart, neighbour;      // vertices joined to each vertex by a surface edge
+  std::vector<std::array<int, 4>> tetNeighbour;    // per tet and corner: tet behind the opposite face, -1 outside
+};
+
+SurfaceModel buildSurface(const TetMesh&);
+
+struct SurfacePoint {
+  int triangle = -1;
+  std::array<double, 3> weight{};                  // [1]
+  Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();   // [m]; [1] outward, averaged where the nearest feature is an edge or corner
+  double distance = 1e300;                         // [m] positive outside the material
+};
+
+/// Walks from `vertex` downhill to the nearest surface vertex (updated), then looks at the triangles round it.
+/// Farther than `reach` [m] from that vertex nothing is examined and `triangle` stays -1.
+SurfacePoint nearestSurface(const SurfaceModel&, std::span<const Vec3> position, const Vec3& p, double reach, int& vertex);
+
+/// Exhaustive search for the nearest surface vertex: to start or repair a walk.
+int nearestVertex(const SurfaceModel&, std::span<const Vec3> position, const Vec3& p);
+
+inline Vec3 pointOn(const SurfaceModel& s, std::span<const Vec3> x, int triangle, const std::array<double, 3>& w) {
+  const auto& t = s.triangles[triangle];
+  return w[0] * x[t[0]] + w[1] * x[t[1]] + w[2] * x[t[2]];
+}
+
+}  // namespace halsted

@@ -1,0 +1,79 @@
+#include "sim/step.h"
+#include "sim/tissue/tissue.h"
+
+namespace halsted {
+namespace {
+
+/// The loaded needle driver: needle plane across the shaft, jaws opening along the needle's radius, held this far along the arc.
+constexpr double kHoldShare = 0.35;            // [1] of the arc, from the swage
+
+Pose needleInTool(const StrandModel& m, double coordinate) {
+  Vec3 point, tangent;
+  arcAt(m, coordinate, point, tangent);
+  const Vec3 radial = point.normalized();
+  Mat3 needleAxes;                             // columns: tool axes seen in the needle frame
+  needleAxes.col(0) = radial;
+  needleAxes.col(1) = tangent;
+  needleAxes.col(2) = Vec3::UnitZ();
+  Pose pose;
+  pose.orientation = Quat(Mat3(needleAxes.transpose())).normalized();
+  pose.position = -(pose.orientation * point);
+  return pose;
+}
+
+Pose compose(const Pose& a, const Pose& b) { return {a.apply(b.position), (a.orientation * b.orientation).normalized()}; }
+
+}  // namespace
+
+State initialState(const Model& m, const std::array<Pose, kHands>& start) {
+  State s;
+  s.random = m.params.seed;
+  s.tissue = restState(m.tissue);
+  for (int hand = 0; hand < kHands; ++hand) s.tools[hand].device = s.tools[hand].proxy = start[hand];
+  ToolState& driver = s.tools[kRight];
+  driver.jaw = 0.0;
+  driver.closed = driver.holdsNeedle = true;
+  driver.needleCoordinate = m.strand.length + kHoldShare * (tipCoordinate(m.strand) - m.strand.length);
+  driver.needleInTool = needleInTool(m.strand, driver.needleCoordinate);
+  s.strand = restState(m.strand, compose(driver.proxy, driver.needleInTool));
+  s.work.tissue = prepareWork(m.tissue);
+  s.work.strand = prepareWork(m.strand);
+  s.work.force.assign(m.mesh.vertices.size(), Vec3::Zero());
+  s.work.change.assign(m.mesh.vertices.size(), Vec3::Zero());
+  s.work.self.cellOf.resize(m.surface.triangles.size());
+  s.work.self.item.resize(m.surface.triangles.size());
+  s.work.self.start.resize(SelfWork::kCells + 1);
+  return s;
+}
+
+void prepareSnapshot(const Model& m, RenderSnapshot& r) {
+  r.tissue.resize(m.mesh.vertices.size());
+  r.thread.resize(m.strand.nodes);
+  r.twist.assign(m.strand.nodes, 0.0);
+  r.punctures.resize(StrandState::kMaxHoles);
+}
+
+void fillSnapshot(const Model& m, const State& s, RenderSnapshot& r) {
+  r.step = s.step;
+  r.time = s.step * m.params.dt;
+  std::copy(s.tissue.position.begin(), s.tissue.position.end(), r.tissue.begin());
+  std::copy(s.strand.position.begin(), s.strand.position.end(), r.thread.begin());
+  r.needle = s.strand.needle;
+  for (int hand = 0; hand < kHands; ++hand) r.tools[hand] = {s.tools[hand].proxy, s.tools[hand].jaw, s.tools[hand].force};
+  r.punctureCount = s.strand.holeCount;
+  for (int i = 0; i < s.strand.holeCount; ++i) {
+    const Hole& h = s.strand.holes[i];
+    const auto& v = m.tissue.tets[h.tet];
+    r.punctures[i].setZero();
+    for (int c = 0; c < 4; ++c) r.punctures[i] += h.weight[c] * s.tissue.position[v[c]];
+  }
+  r.procedureStep = s.procedure.current;
+  r.bites = static_cast<std::uint32_t>(s.metrics.biteCount);
+  r.faults = 0;
+  for (std::int32_t f : s.procedure.faults) r.faults += static_cast<std::uint32_t>(f);
+  r.openingArea = s.metrics.openingArea;
+  r.threadTension = 0.0;
+  for (double t : s.strand.tension) r.threadTension = t > r.threadTension ? t : r.threadTension;
+}
+
+}  // namespace halsted

@@ -1,0 +1,150 @@
+#include "sim/measure.h"
+
+#include <cmath>
+
+#include "sim/contact/geometry.h"
+#include "sim/suture/holes.h"
+
+namespace halsted {
+namespace {
+
+constexpr double kLoaded = 0.02;               // [N] below it a hand is not working
+constexpr int kStretchInterval = 16;           // steps between looks at every edge
+constexpr double kAcross = 0.8;                // [1] a chord whose middle is nearer to the centre than this share of the rim's radius
+
+Vec3 rimCentre(const TetMesh& mesh, std::span<const Vec3> x) {
+  Vec3 sum = Vec3::Zero();
+  for (int v : mesh.rim) sum += x[v];
+  return sum / static_cast<double>(mesh.rim.size());
+}
+
+/// Distance to the rim's outline [m], and its mean radius.
+double rimDistance(const TetMesh& mesh, std::span<const Vec3> x, const Vec3& p) {
+  double best = 1e300;
+  for (std::size_t i = 0; i < mesh.rim.size(); ++i) {
+    const Vec3 &a = x[mesh.rim[i]], &b = x[mesh.rim[(i + 1) % mesh.rim.size()]];
+    best = std::fmin(best, (p - a - closestOnSegment(p, a, b) * (b - a)).norm());
+  }
+  return best;
+}
+
+double rimRadius(const TetMesh& mesh, std::span<const Vec3> x) {
+  const Vec3 centre = rimCentre(mesh, x);
+  double sum = 0.0;                            // [m]
+  for (int v : mesh.rim) sum += (x[v] - centre).norm();
+  return sum / static_cast<double>(mesh.rim.size());
+}
+
+/// The chord from the last exit to this entry runs over the opening instead of along the rim. Both at rest.
+bool crossesOpening(const TetMesh& mesh, const Vec3& from, const Vec3& to) {
+  Vec3 middle = 0.5 * (from + to) - rimCentre(mesh, mesh.vertices);
+  middle.z() = 0.0;                            // the rim's plane faces +z at rest
+  return middle.norm() < kAcross * rimRadius(mesh, mesh.vertices);
+}
+
+void completeBite(const Model& m, const Hole& exit, State& s, StepOutput& out) {
+  MetricsState& metrics = s.metrics;
+  const Vec3 at = holePoint(m, exit, m.mesh.vertices);
+  const int i = metrics.biteCount++;
+  if (i < kMaxBites) {
+    BiteMetrics& b = metrics.bites[i];
+    b.width = (at - metrics.pendingEntry).norm();
+    b.depth = rimDistance(m.mesh, m.mesh.vertices, metrics.pendingEntry);
+    b.spacing = i > 0 ? (metrics.pendingEntry - metrics.lastExit).norm() : 0.0;
+  }
+  if (i > 0 && crossesOpening(m.mesh, metrics.lastExit, metrics.pendingEntry)) ++metrics.acrossOpening;
+  metrics.lastExit = at;
+  pushEvent(out, {s.step, EventKind::kBiteCompleted, -1, i, i < kMaxBites ? metrics.bites[i].depth : 0.0});
+}
+
+/// A bite is complete when the whole needle has left its exit and thread lies in the wall.
+void countBites(const Model& m, State& s, StepOutput& out) {
+  for (int i = 0; i < s.strand.holeCount; ++i) {
+    Hole& h = s.strand.holes[i];
+    if (h.role != static_cast<std::int32_t>(HoleRole::kExit) || h.coordinate > m.strand.length) continue;
+    h.role = static_cast<std::int32_t>(HoleRole::kPassed);
+    completeBite(m, h, s, out);
+  }
+}
+
+void measureHands(State& s) {
+  for (int hand = 0; hand < kHands; ++hand) {
+    HandMetrics& h = s.metrics.hands[hand];
+    const ToolState& t = s.tools[hand];
+    if (h.started) h.pathLength += (t.proxy.position - h.lastPosition).norm();
+    h.started = true;
+    h.lastPosition = t.proxy.position;
+    const double force = t.force.norm();
+    h.peakForce = std::fmax(h.peakForce, force);
+    if (force > kLoaded) { h.forceSum += force; h.forceSteps += 1.0; }
+  }
+}
+
+void measureStretch(const Model& m, State& s) {
+  if (s.step % kStretchInterval != 0) return;
+  double peak = 0.0;                           // [1] squared
+  for (int v : m.surface.vertices) {
+    for (int e = m.surface.neighbourStart[v]; e < m.surface.neighbourStart[v + 1]; ++e) {
+      const int u = m.surface.neighbour[e];
+      if (u < v) continue;
+      const double now = (s.tissue.position[u] - s.tissue.position[v]).squaredNorm();
+      peak = std::fmax(peak, now / (m.mesh.vertices[u] - m.mesh.vertices[v]).squaredNorm());
+    }
+  }
+  s.metrics.peakStretch = std::fmax(s.metrics.peakStretch, std::sqrt(peak));
+}
+
+double rimToRod(const Model& m, std::span<const Vec3> x) {
+  const RodParams& rod = m.params.anvil;
+  double sum = 0.0;                            // [m]
+  for (int v : m.mesh.rim) sum += (x[v] - rod.from - closestOnSegment(x[v], rod.from, rod.to) * (rod.to - rod.from)).norm() - rod.radius;
+  return sum / static_cast<double>(m.mesh.rim.size());
+}
+
+/// Tension in the thread outside the first and the last hole: what the two tails carry [N].
+std::array<double, 2> tailTensions(const Model& m, const StrandState& s) {
+  if (s.holeCount == 0) return {0.0, 0.0};
+  return {strandTension(m.strand, s, s.holes[0].coordinate, -1), strandTension(m.strand, s, s.holes[s.holeCount - 1].coordinate, 1)};
+}
+
+}  // namespace
+
+double openingArea(const TetMesh& mesh, std::span<const Vec3> x) {
+  const Vec3 centre = rimCentre(mesh, x);
+  Vec3 area = Vec3::Zero();                    // [m^2] twice
+  for (std::size_t i = 0; i < mesh.rim.size(); ++i) area += (x[mesh.rim[i]] - centre).cross(x[mesh.rim[(i + 1) % mesh.rim.size()]] - centre);
+  return 0.5 * area.norm();
+}
+
+void noteEntry(const Model& m, const Hole& h, double cosine, State& s) {
+  s.metrics.pendingEntry = holePoint(m, h, m.mesh.vertices);
+  if (s.metrics.biteCount < kMaxBites) s.metrics.bites[s.metrics.biteCount].entryAngle = cosine;
+}
+
+void measure(const Model& m, State& s, StepOutput& out) {
+  measureHands(s);
+  countBites(m, s, out);
+  measureStretch(m, s);
+  MetricsState& metrics = s.metrics;
+  metrics.openingArea = openingArea(m.mesh, s.tissue.position);
+  metrics.restOpeningArea = m.restOpening;
+  for (double t : s.strand.tension) metrics.peakTension = std::fmax(metrics.peakTension, t);
+  const auto tails = tailTensions(m, s.strand);
+  const auto set = [&](Quantity q, double value) { out.seen[static_cast<int>(q)] = value; };
+  const int last = metrics.biteCount < kMaxBites ? metrics.biteCount - 1 : kMaxBites - 1;
+  set(Quantity::kTime, s.step * m.params.dt);
+  set(Quantity::kNeedleHeld, s.tools[0].holdsNeedle + s.tools[1].holdsNeedle);
+  set(Quantity::kBites, metrics.biteCount);
+  set(Quantity::kStitchAcrossOpening, metrics.acrossOpening);
+  set(Quantity::kBiteSpacing, last >= 0 ? metrics.bites[last].spacing : 0.0);
+  set(Quantity::kBiteDepth, last >= 0 ? metrics.bites[last].depth : 0.0);
+  set(Quantity::kTailTension, std::fmin(tails[0], tails[1]));
+  set(Quantity::kPeakTension, metrics.peakTension);
+  set(Quantity::kOpeningFraction, m.restOpening > 0.0 ? metrics.openingArea / m.restOpening : 0.0);
+  set(Quantity::kRimToAnvil, rimToRod(m, s.tissue.position));
+  set(Quantity::kTailsHeld, (s.tools[0].threadCoordinate >= 0.0) + (s.tools[1].threadCoordinate >= 0.0));
+  set(Quantity::kPeakForce, std::fmax(metrics.hands[0].peakForce, metrics.hands[1].peakForce));
+  set(Quantity::kTears, metrics.tears);
+}
+
+}  // namespace halsted

@@ -1,0 +1,88 @@
+#include "sim/step.h"
+
+#include "sim/contact/tissue_contact.h"
+#include "sim/measure.h"
+#include "sim/suture/holes.h"
+#include "sim/suture/strand_contacts.h"
+#include "sim/tissue/tissue.h"
+#include "sim/tools/grasp.h"
+#include "sim/tools/local_contact.h"
+#include "sim/tools/tool_shape.h"
+#include "sim/tools/touch.h"
+
+namespace halsted {
+namespace {
+
+void beginOutput(StepOutput& out) {
+  out.eventCount = out.droppedEvents = 0;
+  for (LocalContact& c : out.contact) c.puncture = false;
+}
+
+/// Everything that pulled on the tissue at the end of the last step still does.
+void carryForces(const Model& m, State& s) {
+  std::fill(s.work.force.begin(), s.work.force.end(), Vec3::Zero());
+  std::fill(s.work.change.begin(), s.work.change.end(), Vec3::Zero());
+  gatherHoleForces(m, s.strand, s.work.force);
+  gatherContactForces(m, s.strand, s.work.force);
+  gatherTouchForces(m, s, s.work.force);
+  gatherTissueContact(m, s, s.work.force);
+}
+
+/// A sample that is not a number moves nothing: the tool stays where it was.
+ToolSample safeSample(const ToolSample& sample, const ToolState& t) {
+  const bool finite = sample.pose.position.allFinite() && sample.pose.orientation.coeffs().allFinite() && sample.jaw == sample.jaw &&
+                      sample.pose.position.squaredNorm() < 1.0 && sample.pose.orientation.squaredNorm() > 0.25;
+  ToolSample safe = sample;
+  if (!finite) { safe.pose = t.device; safe.jaw = t.jaw; }
+  safe.pose.orientation.normalize();
+  return safe;
+}
+
+void moveTools(const Model& m, const StepInput& input, State& s, StepOutput& out) {
+  for (int hand = 0; hand < kHands; ++hand) moveTool(m, hand, safeSample(input.tools[hand], s.tools[hand]), s, out);
+}
+
+void stepStrand(const Model& m, const std::array<CapsuleShape, kSolids>& solidsBefore, State& s, StepOutput& out) {
+  s.work.strand.linkCount = s.work.strand.turnCount = 0;
+  linkHoles(m, s);
+  const int firstContact = s.work.strand.linkCount;
+  linkContacts(m, {solidsBefore, worldSolids(m, s)}, s);
+  std::array<GraspLinks, kHands> grasps;
+  for (int hand = 0; hand < kHands; ++hand) grasps[hand] = linkGrasp(m, hand, s);
+  if (!solveStrand(m.strand, m.params.dt, m.params.gravity, s.strand, s.work.strand)) return;
+  settleHoles(m, s, out);
+  settleContacts(m, firstContact, s, out);
+  for (int hand = 0; hand < kHands; ++hand) settleGrasp(m, hand, grasps[hand], s, out);
+}
+
+void stepProcedure(const Model& m, State& s, StepOutput& out) {
+  const int before = s.procedure.current;
+  const ProcedureEvent event = advance(m.procedure, out.seen, s.step * m.params.dt, m.params.dt, s.procedure);
+  if (event == ProcedureEvent::kNone) return;
+  const EventKind kind = event == ProcedureEvent::kFault ? EventKind::kFault
+                         : event == ProcedureEvent::kStepDone ? EventKind::kStepDone : EventKind::kProcedureCompleted;
+  pushEvent(out, {s.step, kind, -1, before, s.step * m.params.dt});
+}
+
+}  // namespace
+
+void step(const Model& m, const StepInput& input, State& s, StepOutput& out) {
+  beginOutput(out);
+  carryForces(m, s);
+  predictTissue(m.tissue, s.work.force, s.tissue, s.work.tissue);
+  const std::array<Pose, kHands> before{s.tools[0].proxy, s.tools[1].proxy};
+  const auto solidsBefore = worldSolids(m, s);
+  moveTools(m, input, s, out);
+  solveTouch(m, before, s);
+  for (int hand = 0; hand < kHands; ++hand) updateProxy(m, hand, s);
+  stepStrand(m, solidsBefore, s, out);
+  solveTissueContact(m, s);
+  applyForceChange(m.tissue, s.work.change, s.tissue, s.work.tissue);
+  finishTissue(m.tissue, s.tissue, s.work.tissue);
+  ++s.step;
+  measure(m, s, out);
+  stepProcedure(m, s, out);
+  for (int hand = 0; hand < kHands; ++hand) writeLocalContact(m, s, hand, input.tools[hand].tick, out.contact[hand]);
+}
+
+}  // namespace halsted

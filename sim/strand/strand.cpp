@@ -1,0 +1,84 @@
+#include "sim/strand/strand.h"
+
+namespace halsted {
+namespace {
+
+struct ThreadSpot { int node; double fraction; };   // between node and node + 1, fraction [1]
+
+ThreadSpot threadSpot(const StrandModel& m, double s) {
+  double u = s / m.segment;
+  u = u < 0.0 ? 0.0 : u;
+  int node = static_cast<int>(u);
+  if (node > m.nodes - 2) node = m.nodes - 2;
+  const double fraction = u - node;
+  return {node, fraction > 1.0 ? 1.0 : fraction};
+}
+
+}  // namespace
+
+StrandWork prepareWork(const StrandModel& m) {
+  StrandWork w;
+  w.matrix.resize(3 * m.nodes + 6);
+  w.rhs.resize(3 * m.nodes + 6);
+  w.iterate.resize(m.nodes);
+  w.inertial.resize(m.nodes);
+  return w;
+}
+
+StrandState restState(const StrandModel& m, const Pose& needle) {
+  StrandState s;
+  s.needle = needle;
+  const Vec3 swage = needle.apply(m.arcPoint.front());
+  for (int i = 0; i < m.nodes; ++i) s.position.push_back(swage - Vec3(0.0, m.segment * (m.nodes - 1 - i), 0.0));
+  s.velocity.assign(m.nodes, Vec3::Zero());
+  s.tension.assign(m.nodes - 1, 0.0);
+  s.nearVertex.assign(m.nodes + m.sampleCoordinate.size(), 0);
+  return s;
+}
+
+bool addLink(StrandWork& w, const StrandLink& link) {
+  if (w.linkCount >= StrandWork::kMaxLinks) return false;
+  w.links[w.linkCount++] = link;
+  return true;
+}
+
+Vec3 strandPoint(const StrandModel& m, const StrandState& s, double coordinate) {
+  if (coordinate > m.length) {
+    Vec3 point, tangent;
+    arcAt(m, coordinate, point, tangent);
+    return s.needle.apply(point);
+  }
+  const ThreadSpot spot = threadSpot(m, coordinate);
+  return (1.0 - spot.fraction) * s.position[spot.node] + spot.fraction * s.position[spot.node + 1];
+}
+
+Vec3 strandTangent(const StrandModel& m, const StrandState& s, double coordinate) {
+  if (coordinate > m.length) {
+    Vec3 point, tangent;
+    arcAt(m, coordinate, point, tangent);
+    return s.needle.orientation * tangent;
+  }
+  const ThreadSpot spot = threadSpot(m, coordinate);
+  const Vec3 d = s.position[spot.node + 1] - s.position[spot.node];
+  const double length = d.norm();
+  return length > 0.0 ? Vec3(d / length) : Vec3::UnitX();
+}
+
+Vec3 strandVelocity(const StrandModel& m, const StrandState& s, double coordinate) {
+  if (coordinate > m.length) {
+    Vec3 point, tangent;
+    arcAt(m, coordinate, point, tangent);
+    return s.needleVelocity + s.needleSpin.cross(s.needle.orientation * (point - m.needleCentre));
+  }
+  const ThreadSpot spot = threadSpot(m, coordinate);
+  return (1.0 - spot.fraction) * s.velocity[spot.node] + spot.fraction * s.velocity[spot.node + 1];
+}
+
+double strandTension(const StrandModel& m, const StrandState& s, double coordinate, int side) {
+  if (coordinate > m.length) return 0.0;
+  int segment = threadSpot(m, coordinate).node + (side < 0 ? -1 : 1);
+  segment = segment < 0 ? 0 : (segment > m.nodes - 2 ? m.nodes - 2 : segment);
+  return s.tension[segment] > 0.0 ? s.tension[segment] : 0.0;
+}
+
+}  // namespace halsted

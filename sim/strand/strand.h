@@ -1,0 +1,59 @@
+#pragma once
+/// One implicit step of thread and needle, solved directly in linear time (physics.md 0.1, B3; Deul et al. 2018).
+/// Everything that touches the strand (holes in the tissue, jaws, contacts) is a `StrandLink`: a linear spring to a point.
+/// Physics thread; no heap.
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sim/strand/banded.h"
+#include "sim/strand/strand_model.h"
+#include "sim/strand/strand_state.h"
+
+namespace halsted {
+
+/// Pulls the strand's material point `coordinate`:  f = force0 + stiffness (anchor - x(coordinate)).
+struct StrandLink {
+  double coordinate = 0.0;                     // [m]
+  Vec3 anchor = Vec3::Zero();                  // [m]
+  Mat3 stiffness = Mat3::Zero();               // [N/m] symmetric, positive semi-definite
+  Vec3 force0 = Vec3::Zero();                  // [N] on the strand
+  Vec3 force = Vec3::Zero();                   // [N] on the strand, written by the solve
+};
+
+/// Turns the needle toward an orientation: torque = stiffness * (rotation from here to `target`).
+struct NeedleTurnLink {
+  Quat target = Quat::Identity();
+  double stiffness = 0.0;                      // [N m/rad]
+};
+
+struct StrandWork {
+  static constexpr int kMaxLinks = 384;
+  BandedMatrix matrix;
+  std::vector<double> rhs;                     // [N], then the solution [m]
+  std::vector<Vec3> iterate, inertial;         // [m] Newton iterate; where inertia alone would go
+  std::array<StrandLink, kMaxLinks> links;
+  int linkCount = 0;
+  std::array<NeedleTurnLink, kHands> turns;
+  int turnCount = 0;
+};
+
+StrandWork prepareWork(const StrandModel&);
+/// Hanging straight down from the needle's swage, at rest.
+StrandState restState(const StrandModel&, const Pose& needle);
+
+/// False when the table is full: the caller counts it.
+bool addLink(StrandWork&, const StrandLink&);
+
+/// Advances by dt under gravity and the links in `work`. False if the system could not be solved (nothing is changed then).
+bool solveStrand(const StrandModel&, double dt, const Vec3& gravity, StrandState&, StrandWork&);
+
+/// World position and unit tangent (toward the tip) of a material point; coordinates are clamped to the strand.
+Vec3 strandPoint(const StrandModel&, const StrandState&, double coordinate);
+Vec3 strandTangent(const StrandModel&, const StrandState&, double coordinate);
+/// Velocity of a material point [m/s].
+Vec3 strandVelocity(const StrandModel&, const StrandState&, double coordinate);
+/// Tension just on the tail side (`side` < 0) or tip side of a coordinate [N]; zero or more; 0 on the needle.
+double strandTension(const StrandModel&, const StrandState&, double coordinate, int side);
+
+}  // namespace halsted

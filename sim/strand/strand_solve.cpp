@@ -1,0 +1,257 @@
+#include "sim/strand/strand.h"
+
+#include <algorithm>
+
+namespace halsted {
+namespace {
+
+constexpr int kNewtonIterations = 2;           // the second removes the error of turning segments
+constexpr double kSwageStiffness = 2e5;        // [N/m] thread end to needle: a crimp, far stiffer than anything it pulls on
+
+/// The needle while iterating: pose of this iterate, and where inertia alone would take it.
+struct NeedleIterate {
+  Pose pose, inertial;
+  Vec3 centre = Vec3::Zero(), inertialCentre = Vec3::Zero();   // [m] centre of mass
+  Mat3 inertia = Mat3::Zero();                                 // [kg m^2] world
+};
+
+Mat3 skew(const Vec3& v) {
+  Mat3 s;
+  s << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+  return s;
+}
+
+Quat turned(const Quat& q, const Vec3& angle) {                // angle [rad], small
+  const Quat dq(1.0, 0.5 * angle.x(), 0.5 * angle.y(), 0.5 * angle.z());
+  return (dq * q).normalized();
+}
+
+/// Twice the vector part of the rotation from `from` to `to`: the rotation vector for small angles.  [rad]
+Vec3 rotationBetween(const Quat& from, const Quat& to) {
+  const Quat d = to * from.conjugate();
+  const Vec3 v(d.x(), d.y(), d.z());
+  return d.w() < 0.0 ? Vec3(-2.0 * v) : Vec3(2.0 * v);
+}
+
+/// A material point of the strand as a linear function of the unknowns: up to two thread nodes, or the needle with an arm.
+struct Spot {
+  int node = -1;                               // first thread node; -1: on the needle
+  double weight0 = 1.0, weight1 = 0.0;         // [1]
+  Vec3 arm = Vec3::Zero();                     // [m] world, from the centre of mass
+  Vec3 position = Vec3::Zero();                // [m] at the iterate
+};
+
+class Assembly {
+ public:
+  Assembly(const StrandModel& m, double dt, StrandWork& w) : model_(m), dt_(dt), work_(w) {}
+
+  Spot spotAt(double s, const NeedleIterate& needle) const {
+    Spot spot;
+    if (s > model_.length) {
+      Vec3 point, tangent;
+      arcAt(model_, s, point, tangent);
+      spot.arm = needle.pose.orientation * (point - model_.needleCentre);
+      spot.position = needle.centre + spot.arm;
+      return spot;
+    }
+    double u = s / model_.segment;
+    u = u < 0.0 ? 0.0 : u;
+    spot.node = static_cast<int>(u);
+    if (spot.node > model_.nodes - 2) spot.node = model_.nodes - 2;
+    const double fraction = u - spot.node > 1.0 ? 1.0 : u - spot.node;
+    spot.weight0 = 1.0 - fraction;
+    spot.weight1 = fraction;
+    spot.position = spot.weight0 * work_.iterate[spot.node] + spot.weight1 * work_.iterate[spot.node + 1];
+    return spot;
+  }
+
+  void addBlock(int i, int j, const Mat3& k) {
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c) work_.matrix.add(i + r, j + c, k(r, c));
+  }
+  void addForce(int i, const Vec3& f) {
+    for (int r = 0; r < 3; ++r) work_.rhs[i + r] += f[r];
+  }
+  /// Force `f` and stiffness `k` at a point, into the unknowns it depends on.
+  void addPoint(const Spot& spot, const Mat3& k, const Vec3& f) {
+    if (spot.node >= 0) {
+      const int i = 3 * spot.node;
+      addBlock(i, i, spot.weight0 * spot.weight0 * k);
+      addBlock(i, i + 3, spot.weight0 * spot.weight1 * k);
+      addBlock(i + 3, i + 3, spot.weight1 * spot.weight1 * k);
+      addForce(i, spot.weight0 * f);
+      addForce(i + 3, spot.weight1 * f);
+      return;
+    }
+    const int p = needleIndex();
+    const Mat3 lever = skew(spot.arm);
+    addBlock(p, p, k);
+    addBlock(p, p + 3, -k * lever);
+    addBlock(p + 3, p + 3, lever.transpose() * k * lever);
+    addForce(p, f);
+    addForce(p + 3, spot.arm.cross(f));
+  }
+  int needleIndex() const { return 3 * model_.nodes; }
+
+  void inertia(const StrandState& s, const Vec3& gravity, const NeedleIterate& needle) {
+    const double stiff = 1.0 / (dt_ * dt_), drag = model_.damping / dt_;
+    for (int i = 0; i < model_.nodes; ++i) {
+      const double m = model_.mass[i];
+      for (int c = 0; c < 3; ++c) work_.matrix.add(3 * i + c, 3 * i + c, m * (stiff + drag));
+      addForce(3 * i, m * (gravity - stiff * (work_.iterate[i] - work_.inertial[i]) - drag * (work_.iterate[i] - s.position[i])));
+    }
+    const int p = needleIndex();
+    const double m = model_.needleMass;
+    const Vec3 startCentre = s.needle.apply(model_.needleCentre);
+    addBlock(p, p, m * (stiff + drag) * Mat3::Identity());
+    addForce(p, m * (gravity - stiff * (needle.centre - needle.inertialCentre) - drag * (needle.centre - startCentre)));
+    addBlock(p + 3, p + 3, (stiff + drag) * needle.inertia);
+    const Vec3 lag = rotationBetween(needle.inertial.orientation, needle.pose.orientation);
+    const Vec3 moved = rotationBetween(s.needle.orientation, needle.pose.orientation);
+    addForce(p + 3, -needle.inertia * (stiff * lag + drag * moved));
+  }
+
+  void stretch() {
+    for (int i = 0; i + 1 < model_.nodes; ++i) {
+      const Vec3 d = work_.iterate[i + 1] - work_.iterate[i];
+      const double length = d.norm();
+      if (!(length > 1e-9)) continue;
+      const Vec3 t = d / length;
+      const double force = model_.axial * (length - model_.segment);                  // [N]
+      Mat3 k = model_.axial * t * t.transpose();
+      if (force > 0.0) k += (force / length) * (Mat3::Identity() - t * t.transpose());
+      addBlock(3 * i, 3 * i, k);
+      addBlock(3 * i, 3 * i + 3, -k);
+      addBlock(3 * i + 3, 3 * i + 3, k);
+      addForce(3 * i, force * t);
+      addForce(3 * i + 3, -force * t);
+    }
+  }
+
+  /// Quadratic bending of an inextensible rod (Bergou et al. 2006): EI / (2 l^3) |x0 - 2 x1 + x2|^2, a constant matrix with a linear
+  /// moment for a straight thread, where the cosine form of paper 003 has none.
+  void bending() {
+    const double kb = model_.bending;
+    const double c[3] = {1.0, -2.0, 1.0};
+    for (int i = 0; i + 2 < model_.nodes; ++i) {
+      const Vec3 curl = work_.iterate[i] - 2.0 * work_.iterate[i + 1] + work_.iterate[i + 2];
+      for (int a = 0; a < 3; ++a) {
+        for (int b = a; b < 3; ++b)
+          for (int r = 0; r < 3; ++r) work_.matrix.add(3 * (i + a) + r, 3 * (i + b) + r, kb * c[a] * c[b]);
+        addForce(3 * (i + a), -kb * c[a] * curl);
+      }
+    }
+  }
+
+  /// The crimp: last thread node on the needle's swage, and the thread leaving along the needle's tangent.
+  void swage(const NeedleIterate& needle) {
+    const int last = model_.nodes - 1, p = needleIndex();
+    const Mat3 k = kSwageStiffness * Mat3::Identity();
+    const Vec3 arm = needle.pose.orientation * (model_.arcPoint.front() - model_.needleCentre);
+    const Vec3 gap = needle.centre + arm - work_.iterate[last];
+    addBlock(3 * last, 3 * last, k);
+    addForce(3 * last, kSwageStiffness * gap);
+    addPoint({-1, 1.0, 0.0, arm, Vec3::Zero()}, k, -kSwageStiffness * gap);
+    addBlock(3 * last, p, -k);
+    addBlock(3 * last, p + 3, k * skew(arm));
+
+    const Vec3 ahead = arm + model_.segment * (needle.pose.orientation * model_.arcTangent.front());
+    const Vec3 curl = work_.iterate[last - 1] - 2.0 * work_.iterate[last] + needle.centre + ahead;
+    const double kb = model_.bending, c[2] = {1.0, -2.0};
+    for (int a = 0; a < 2; ++a) {
+      const int i = 3 * (last - 1 + a);
+      addBlock(i, i, kb * c[a] * c[a] * Mat3::Identity());
+      addForce(i, -kb * c[a] * curl);
+      addBlock(i, p, kb * c[a] * Mat3::Identity());
+      addBlock(i, p + 3, -kb * c[a] * skew(ahead));
+    }
+    addBlock(3 * (last - 1), 3 * last, -2.0 * kb * Mat3::Identity());
+    addPoint({-1, 1.0, 0.0, ahead, Vec3::Zero()}, kb * Mat3::Identity(), -kb * curl);
+  }
+
+  void links(const NeedleIterate& needle) {
+    for (int l = 0; l < work_.linkCount; ++l) {
+      const StrandLink& link = work_.links[l];
+      const Spot spot = spotAt(link.coordinate, needle);
+      addPoint(spot, link.stiffness, link.force0 + link.stiffness * (link.anchor - spot.position));
+    }
+    for (int t = 0; t < work_.turnCount; ++t) {
+      const NeedleTurnLink& turn = work_.turns[t];
+      const int p = needleIndex() + 3;
+      addBlock(p, p, turn.stiffness * Mat3::Identity());
+      addForce(p, turn.stiffness * rotationBetween(needle.pose.orientation, turn.target));
+    }
+  }
+
+ private:
+  const StrandModel& model_;
+  double dt_;                                  // [s]
+  StrandWork& work_;
+};
+
+NeedleIterate beginNeedle(const StrandModel& m, const StrandState& s, double dt) {
+  NeedleIterate n;
+  n.inertialCentre = s.needle.apply(m.needleCentre) + dt * s.needleVelocity;
+  n.inertial.orientation = turned(s.needle.orientation, dt * s.needleSpin);
+  n.centre = n.inertialCentre;
+  n.pose.orientation = n.inertial.orientation;
+  const Mat3 r = n.pose.orientation.toRotationMatrix();
+  n.inertia = r * m.needleInertia * r.transpose();
+  return n;
+}
+
+/// Tension consistent with the linear solve: the stretch along the direction the segment had in the last iterate.
+void writeTensions(const StrandModel& m, const StrandWork& w, StrandState& s) {
+  for (int i = 0; i + 1 < m.nodes; ++i) {
+    const Vec3 d = w.iterate[i + 1] - w.iterate[i];
+    const double length = d.norm();
+    const Vec3 moved(w.rhs[3 * i + 3] - w.rhs[3 * i], w.rhs[3 * i + 4] - w.rhs[3 * i + 1], w.rhs[3 * i + 5] - w.rhs[3 * i + 2]);
+    const double along = length > 1e-9 ? d.dot(moved) / length : 0.0;
+    s.tension[i] = m.axial * (length + along - m.segment);
+  }
+}
+
+void moveNeedle(const StrandModel& m, const double* u, NeedleIterate& n) {
+  n.centre += Vec3(u[0], u[1], u[2]);
+  n.pose.orientation = turned(n.pose.orientation, Vec3(u[3], u[4], u[5]));
+  n.pose.position = n.centre - n.pose.orientation * m.needleCentre;
+}
+
+void finish(const StrandModel& m, double dt, const NeedleIterate& n, StrandState& s, StrandWork& w) {
+  for (int i = 0; i < m.nodes; ++i) {
+    s.velocity[i] = (w.iterate[i] - s.position[i]) / dt;
+    s.position[i] = w.iterate[i];
+  }
+  s.needleVelocity = (n.centre - s.needle.apply(m.needleCentre)) / dt;
+  s.needleSpin = rotationBetween(s.needle.orientation, n.pose.orientation) / dt;
+  s.needle = n.pose;
+  for (int l = 0; l < w.linkCount; ++l) {
+    StrandLink& link = w.links[l];
+    link.force = link.force0 + link.stiffness * (link.anchor - strandPoint(m, s, link.coordinate));
+  }
+}
+
+}  // namespace
+
+bool solveStrand(const StrandModel& m, double dt, const Vec3& gravity, StrandState& s, StrandWork& w) {
+  NeedleIterate needle = beginNeedle(m, s, dt);
+  for (int i = 0; i < m.nodes; ++i) w.iterate[i] = w.inertial[i] = s.position[i] + dt * s.velocity[i];
+  Assembly assembly(m, dt, w);
+  for (int iteration = 0; iteration < kNewtonIterations; ++iteration) {
+    w.matrix.setZero();
+    std::fill(w.rhs.begin(), w.rhs.end(), 0.0);
+    assembly.inertia(s, gravity, needle);
+    assembly.stretch();
+    assembly.bending();
+    assembly.swage(needle);
+    assembly.links(needle);
+    if (!w.matrix.factorAndSolve(w.rhs.data())) return false;
+    if (iteration + 1 == kNewtonIterations) writeTensions(m, w, s);
+    for (int i = 0; i < m.nodes; ++i) w.iterate[i] += Vec3(w.rhs[3 * i], w.rhs[3 * i + 1], w.rhs[3 * i + 2]);
+    moveNeedle(m, &w.rhs[3 * m.nodes], needle);
+  }
+  finish(m, dt, needle, s, w);
+  return true;
+}
+
+}  // namespace halsted

@@ -1,0 +1,248 @@
+#include "sim/suture/holes.h"
+
+#include <cmath>
+
+#include "sim/lanes.h"
+#include "sim/measure.h"
+#include "sim/suture/cut.h"
+
+namespace halsted {
+namespace {
+
+constexpr double kNeedleFriction = 0.10;       // [1] polished steel in wet tissue, along the arc (design)
+constexpr double kWithdrawForce = 0.02;        // [N] drag on a tip drawn back along its own cut (design)
+
+bool onNeedle(const Model& m, const Hole& h) { return h.coordinate > m.strand.length; }
+
+double pairCompliance(const Model& m, const Hole& a, const Hole& b) {
+  double sum = 0.0;                            // [m/N]
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      sum += a.weight[i] * b.weight[j] * compliance(m.tissue.projective, m.tissue.tets[a.tet][i], m.tissue.tets[b.tet][j]);
+  return sum;
+}
+
+/// Own compliance, and an upper bound for the coupled system: with it the incremental exchange of force can only undershoot.
+void holeCompliances(const Model& m, const StrandState& s, HoleWork& w) {
+  constexpr int kNeighbours = 3;
+  constexpr double kFarShare = 0.06;           // [1] of the own compliance per farther hole; tuned: rings of 20 holes converge
+  for (int i = 0; i < s.holeCount; ++i) {
+    w.self[i] = pairCompliance(m, s.holes[i], s.holes[i]);
+    w.bound[i] = w.self[i] * (1.0 + kFarShare * s.holeCount);
+  }
+  for (int i = 0; i < s.holeCount; ++i) {
+    for (int j = i + 1; j < s.holeCount && j <= i + kNeighbours; ++j) {
+      const double shared = magnitude(pairCompliance(m, s.holes[i], s.holes[j]));
+      w.bound[i] += shared;
+      w.bound[j] += shared;
+    }
+  }
+}
+
+/// Length of strand inside the wall at this hole's bite [m].
+double insideLength(const StrandState& s, const Hole& h) {
+  double low = h.coordinate, high = h.coordinate;
+  for (int i = 0; i < s.holeCount; ++i) {
+    if (s.holes[i].bite != h.bite) continue;
+    low = std::fmin(low, s.holes[i].coordinate);
+    high = std::fmax(high, s.holes[i].coordinate);
+  }
+  return high - low;
+}
+
+/// Largest friction along the strand at a hole [N]: capstan on the thread (Euler-Eytelwein), Coulomb on the needle, plus drag.
+double frictionBound(const Model& m, const StrandState& s, const Hole& h) {
+  const double inside = 0.5 * insideLength(s, h);              // [m] each of the two ends carries half
+  if (onNeedle(m, h)) {
+    const Vec3 t = strandTangent(m.strand, s, h.coordinate);
+    const double lateral = (h.force - h.force.dot(t) * t).norm();
+    return kNeedleFriction * lateral + m.params.needle.shaftFriction * inside;
+  }
+  const double before = strandTension(m.strand, s, h.coordinate, -1), after = strandTension(m.strand, s, h.coordinate, 1);
+  const double reach = 1.5 * m.strand.segment;                 // [m] tangents are taken just outside the hole
+  const double excess = capstanExcess(strandTangent(m.strand, s, h.coordinate - reach), strandTangent(m.strand, s, h.coordinate + reach),
+                                      m.params.contact.threadTissueFriction);
+  return std::fmin(before, after) * excess + m.params.thread.channelDrag * inside;
+}
+
+StrandLink holeLink(const Model& m, const StrandState& s, const Hole& h, const Vec3& point, double bound) {
+  StrandLink link;
+  link.coordinate = h.coordinate;
+  link.anchor = point;
+  link.force0 = h.force;
+  link.stiffness = Mat3::Identity() / bound;
+  if (h.slip == 0) return link;
+  const Vec3 t = strandTangent(m.strand, s, h.coordinate);     // sliding: only friction along the strand
+  const Vec3 lateral = h.force - h.force.dot(t) * t;
+  link.force0 = lateral + h.slip * frictionBound(m, s, h) * t;
+  link.stiffness -= t * t.transpose() / bound;
+  return link;
+}
+
+/// Stick or slip along the strand after the solve; returns the force the hole now carries.
+Vec3 settleFriction(const Model& m, State& state, int i, const Vec3& solved) {
+  StrandState& s = state.strand;
+  Hole& h = s.holes[i];
+  const HoleWork& w = state.work.holes;
+  const Vec3 t = strandTangent(m.strand, s, h.coordinate);
+  const double along = solved.dot(t);
+  if (h.slip == 0) {
+    const double bound = frictionBound(m, s, h);
+    if (magnitude(along) <= bound) return solved;
+    h.slip = along > 0.0 ? 1 : -1;
+    return solved - (along - h.slip * bound) * t;
+  }
+  const Vec3 point = w.point[i] - w.self[i] * (solved - h.force);
+  const double slide = t.dot(point - strandPoint(m.strand, s, h.coordinate));   // [m]
+  if (h.slip * slide < 0.0) h.slip = 0;
+  else h.coordinate += slide;
+  return solved;
+}
+
+/// The tip cuts forward past its resistance and slips back almost freely; returns the force it carries.
+Vec3 settleTip(const Model& m, State& state, int i, const Vec3& solved, StepOutput& out) {
+  StrandState& s = state.strand;
+  Hole& h = s.holes[i];
+  const Vec3 t = strandTangent(m.strand, s, h.coordinate);
+  const double pushed = -solved.dot(t);                        // [N] forward push on the tissue
+  const NeedleParams& needle = m.params.needle;
+  const CutLimits limits{needle.cutForce, needle.exitForce, kWithdrawForce};
+  const double excess = pushed > 0.0 ? pushed - limits.cut : pushed + limits.withdraw;
+  if ((pushed > 0.0) != (excess > 0.0)) return solved;
+  const CutResult cut = advanceCut(m, state.tissue.position, excess * state.work.holes.bound[i] * t, h);
+  if (cut == CutResult::kAtSurface && pushed > limits.exit) {
+    h.role = static_cast<std::int32_t>(HoleRole::kExit);
+    out.contact[0].puncture = out.contact[1].puncture = true;
+    pushEvent(out, {state.step, EventKind::kNeedleExited, -1, h.bite, pushed});
+    return Vec3::Zero();
+  }
+  return cut == CutResult::kMoved ? Vec3(solved + excess * t) : solved;
+}
+
+void removeHole(StrandState& s, int i) {
+  for (int k = i + 1; k < s.holeCount; ++k) s.holes[k - 1] = s.holes[k];
+  s.holes[--s.holeCount] = Hole{};
+}
+
+void addNodal(const Model& m, const Hole& h, const Vec3& f, std::vector<Vec3>& nodal) {
+  for (int c = 0; c < 4; ++c) nodal[m.tissue.tets[h.tet][c]] -= h.weight[c] * f;
+}
+
+void dropHole(const Model& m, State& state, int i) {
+  addNodal(m, state.strand.holes[i], -state.strand.holes[i].force, state.work.change);
+  removeHole(state.strand, i);
+}
+
+void dropBite(const Model& m, State& state, int bite) {
+  for (int i = state.strand.holeCount - 1; i >= 0; --i)
+    if (state.strand.holes[i].bite == bite) dropHole(m, state, i);
+}
+
+/// Holes that tore, that the tail left, and that the tip left going backwards: an exit becomes the tip's cut again, an entry closes.
+void removeLeftHoles(const Model& m, State& state, StepOutput& out) {
+  StrandState& s = state.strand;
+  const double tip = tipCoordinate(m.strand);
+  for (int i = 0; i < s.holeCount; ++i) {
+    Hole& h = s.holes[i];
+    const bool atTip = h.coordinate >= tip - 1e-5 && h.slip > 0;
+    const double pull = h.force.norm();
+    if (pull > m.params.needle.tearForce) {
+      ++state.metrics.tears;
+      pushEvent(out, {state.step, EventKind::kChannelTorn, -1, h.bite, pull});
+      dropBite(m, state, h.bite);
+      return;
+    }
+    if (h.coordinate <= 0.0) {
+      pushEvent(out, {state.step, EventKind::kChannelEmptied, -1, h.bite, 0.0});
+      dropHole(m, state, i);
+      return;
+    }
+    if (atTip && (h.role == static_cast<std::int32_t>(HoleRole::kExit) || h.role == static_cast<std::int32_t>(HoleRole::kPassed))) {
+      h.role = static_cast<std::int32_t>(HoleRole::kTip);
+      h.coordinate = tip;
+      h.slip = 0;
+    } else if (atTip && h.role == static_cast<std::int32_t>(HoleRole::kEntry)) {
+      pushEvent(out, {state.step, EventKind::kChannelEmptied, -1, h.bite, 0.0});
+      dropBite(m, state, h.bite);
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+double capstanExcess(const Vec3& before, const Vec3& after, double friction) {
+  const double c = (after - before).norm();                    // chord of the turn: phi = 2 asin(c / 2)
+  const double phi = c * (1.0 + c * c * (1.0 / 24.0 + c * c * (3.0 / 640.0 + c * c * (5.0 / 7168.0))));   // [rad]
+  const double x = friction * phi;
+  return x * (1.0 + x * (0.5 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x / 120.0))));
+}
+
+Vec3 holePoint(const Model& m, const Hole& h, std::span<const Vec3> x) {
+  const auto& v = m.tissue.tets[h.tet];
+  return h.weight[0] * x[v[0]] + h.weight[1] * x[v[1]] + h.weight[2] * x[v[2]] + h.weight[3] * x[v[3]];
+}
+
+bool insideWall(const StrandState& s, double coordinate, double margin) {
+  for (int i = 0; i + 1 < s.holeCount; ++i) {
+    if (s.holes[i].bite != s.holes[i + 1].bite) continue;
+    if (coordinate > s.holes[i].coordinate - margin && coordinate < s.holes[i + 1].coordinate + margin) return true;
+  }
+  return false;
+}
+
+void gatherHoleForces(const Model& m, const StrandState& s, std::vector<Vec3>& nodal) {
+  for (int i = 0; i < s.holeCount; ++i) addNodal(m, s.holes[i], s.holes[i].force, nodal);
+}
+
+void linkHoles(const Model& m, State& state) {
+  StrandState& s = state.strand;
+  HoleWork& w = state.work.holes;
+  holeCompliances(m, s, w);
+  for (int i = 0; i < s.holeCount; ++i) {
+    w.point[i] = holePoint(m, s.holes[i], state.tissue.position);
+    addLink(state.work.strand, holeLink(m, s, s.holes[i], w.point[i], w.bound[i]));
+  }
+}
+
+void settleHoles(const Model& m, State& state, StepOutput& out) {
+  StrandState& s = state.strand;
+  for (int i = 0; i < s.holeCount; ++i) {
+    Hole& h = s.holes[i];
+    const Vec3 solved = state.work.strand.links[i].force;
+    const bool tip = h.role == static_cast<std::int32_t>(HoleRole::kTip);
+    const Hole before = h;
+    const Vec3 force = tip ? settleTip(m, state, i, solved, out) : settleFriction(m, state, i, solved);
+    addNodal(m, before, -before.force, state.work.change);
+    h.force = force;
+    addNodal(m, h, h.force, state.work.change);
+  }
+  removeLeftHoles(m, state, out);
+}
+
+bool openEntry(const Model& m, int triangle, const std::array<double, 3>& weight, const Vec3& normal, State& state, StepOutput& out) {
+  StrandState& s = state.strand;
+  if (s.holeCount + 2 > StrandState::kMaxHoles) return false;
+  Hole h;
+  h.tet = m.surface.triangleTet[triangle];
+  for (int c = 0; c < 4; ++c)
+    for (int k = 0; k < 3; ++k)
+      if (m.tissue.tets[h.tet][c] == m.surface.triangles[triangle][k]) h.weight[c] = weight[k];
+  h.coordinate = tipCoordinate(m.strand);
+  h.bite = s.bitesBegun++;
+  h.role = static_cast<std::int32_t>(HoleRole::kEntry);
+  s.holes[s.holeCount++] = h;
+  noteEntry(m, h, -strandTangent(m.strand, s, h.coordinate).dot(normal), state);
+  h.role = static_cast<std::int32_t>(HoleRole::kTip);
+  s.holes[s.holeCount++] = h;
+  out.contact[0].puncture = out.contact[1].puncture = true;
+  pushEvent(out, {state.step, EventKind::kNeedleEntered, -1, h.bite, 0.0});
+  return true;
+}
+
+void pushEvent(StepOutput& out, const Event& e) {
+  if (out.eventCount < StepOutput::kMaxEvents) out.events[out.eventCount++] = e;
+  else ++out.droppedEvents;
+}
+
+}  // namespace halsted

@@ -1,0 +1,196 @@
+#include "sim/suture/strand_contacts.h"
+
+#include <cmath>
+
+#include "sim/contact/geometry.h"
+#include "sim/suture/holes.h"
+#include "sim/tools/tool_shape.h"
+
+namespace halsted {
+namespace {
+
+constexpr double kTissueShare = 4.0;           // [1] neighbours that press on the same tissue; over-estimates its compliance
+constexpr double kSolidStiffness = 1500.0;     // [N/m] strand against steel, per step and incremental: the fixed point is rigid
+constexpr double kReach = 8e-3;                // [m] samples farther than this from every vertex are not examined
+constexpr double kStickSlide = 2e-7;           // [m] per step: below it friction holds (0.2 mm/s of creep)
+constexpr double kTipFriction = 0.8;           // [1] a sharp tip does not skid (design)
+constexpr double kSkinDepth = 1.5e-3;          // [m] deeper inside the wall a sample is in a cut, not against the surface
+constexpr int kRepairInterval = 32;            // steps between exhaustive searches of one sample
+
+struct Sample {
+  int index = 0;
+  double coordinate = 0.0, radius = 0.0;       // [m]
+  Vec3 position = Vec3::Zero(), predicted = Vec3::Zero();   // [m] at the start of the step; where inertia takes it
+  bool isTip = false;
+};
+
+int sampleCount(const StrandModel& m) { return m.nodes + static_cast<int>(m.sampleCoordinate.size()); }
+
+Sample sampleAt(const Model& m, const StrandState& s, int index) {
+  Sample x;
+  x.index = index;
+  const bool thread = index < m.strand.nodes;
+  x.coordinate = thread ? index * m.strand.segment : m.strand.sampleCoordinate[index - m.strand.nodes];
+  x.radius = thread ? m.strand.radius : m.strand.needle.wireRadius;
+  x.isTip = index + 1 == sampleCount(m.strand);
+  if (x.isTip) x.radius = 0.0;
+  x.position = thread ? s.position[index] : strandPoint(m.strand, s, x.coordinate + 1e-12);
+  x.predicted = x.position + m.params.dt * (thread ? s.velocity[index] : strandVelocity(m.strand, s, x.coordinate + 1e-12));
+  return x;
+}
+
+double triangleCompliance(const Model& m, int triangle, const std::array<double, 3>& w) {
+  const auto& v = m.surface.triangles[triangle];
+  double sum = 0.0;                            // [m/N]
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) sum += w[i] * w[j] * compliance(m.tissue.projective, v[i], v[j]);
+  return sum;
+}
+
+/// One unilateral contact before the solve.
+struct Touch {
+  Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();   // [m] surface point now; [1] toward the strand
+  Vec3 moved = Vec3::Zero();                           // [m] motion of the surface point in this step
+  double stiffness = 0.0, friction = 0.0;              // [N/m]; [1]
+  StrandContact record;
+};
+
+const StrandContact* previousContact(const StrandState& s, int sample, int feature, bool sameSurface, int triangles) {
+  for (int i = 0; i < s.contactCount; ++i) {
+    const StrandContact& c = s.contacts[i];
+    if (c.sample != sample) continue;
+    if (c.feature == feature || (sameSurface && c.feature < triangles)) return &c;
+  }
+  return nullptr;
+}
+
+/// Adds the link if the contact would push; keeps its record in `fresh`.
+void offerTouch(const Model& m, const Sample& x, Touch& touch, State& state, int& fresh) {
+  StrandWork& w = state.work.strand;
+  const double gap = touch.normal.dot(x.predicted - touch.point) - x.radius;     // [m]
+  const double push = touch.record.normalForce - touch.stiffness * gap;          // [N] at the predicted position
+  if (push <= 0.0 || fresh >= StrandState::kMaxContacts) return;
+  const Vec3 slide = x.predicted - x.position - touch.moved;
+  const double tangential = (slide - slide.dot(touch.normal) * touch.normal).norm();   // [m]
+  const double held = touch.record.normalForce > 0.0 ? touch.record.normalForce : push;
+  double grip = touch.friction * held / std::fmax(tangential, kStickSlide);      // [N/m] Coulomb, lagged secant
+  grip = std::fmin(grip, touch.stiffness);
+  const Mat3 nn = touch.normal * touch.normal.transpose();
+  StrandLink link;
+  link.coordinate = x.index < m.strand.nodes ? x.coordinate : x.coordinate + 1e-12;
+  link.stiffness = touch.stiffness * nn + grip * (Mat3::Identity() - nn);
+  const Vec3 onSurface = touch.point + x.radius * touch.normal, stuck = x.position + touch.moved;
+  link.anchor = stuck + nn * (onSurface - stuck);
+  link.force0 = touch.record.normalForce * touch.normal;
+  if (!addLink(w, link)) return;
+  touch.record.force = touch.normal;           // until the solve: the direction
+  state.work.freshContacts[fresh++] = touch.record;
+}
+
+void touchTissue(const Model& m, const Sample& x, State& state, int& fresh) {
+  StrandState& s = state.strand;
+  const auto& tissue = state.tissue.position;
+  if ((static_cast<int>(state.step % kRepairInterval)) == x.index % kRepairInterval) {
+    s.nearVertex[x.index] = nearestVertex(m.surface, tissue, x.predicted);
+  }
+  if (insideWall(s, x.coordinate, 0.5e-3)) return;
+  const SurfacePoint near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
+  if (near.triangle < 0 || near.distance < -kSkinDepth) return;
+  Touch t;
+  t.point = near.point;
+  t.normal = near.normal;
+  t.moved = near.point - pointOn(m.surface, state.work.tissue.previous, near.triangle, near.weight);
+  t.stiffness = 1.0 / (kTissueShare * triangleCompliance(m, near.triangle, near.weight) + 1e-5);
+  t.friction = x.isTip ? kTipFriction : m.params.contact.threadTissueFriction;
+  const int triangles = static_cast<int>(m.surface.triangles.size());
+  const StrandContact* old = previousContact(s, x.index, near.triangle, true, triangles);
+  t.record = {x.index, near.triangle, old ? old->normalForce : 0.0, Vec3::Zero(), near.weight};
+  offerTouch(m, x, t, state, fresh);
+}
+
+void touchSolid(const Model& m, const Sample& x, const SolidMotion& motion, int solid, State& state, int& fresh) {
+  const CapsuleShape& c = motion.now[solid];
+  const double f = closestOnSegment(x.predicted, c.a, c.b);
+  const Vec3 axis = c.a + f * (c.b - c.a), away = x.predicted - axis;
+  const double distance = away.norm();
+  if (distance > c.radius + x.radius + 1e-3 || distance < 1e-9) return;
+  const CapsuleShape& b = motion.before[solid];
+  Touch t;
+  t.normal = away / distance;
+  t.point = axis + c.radius * t.normal;
+  t.moved = axis - (b.a + f * (b.b - b.a));
+  t.stiffness = kSolidStiffness;
+  t.friction = m.params.contact.threadToolFriction;
+  const int feature = static_cast<int>(m.surface.triangles.size()) + solid;
+  const StrandContact* old = previousContact(state.strand, x.index, feature, false, 0);
+  t.record = {x.index, feature, old ? old->normalForce : 0.0, Vec3::Zero(), {}};
+  offerTouch(m, x, t, state, fresh);
+}
+
+/// A sample that the jaws hold, or that lies within their grip, is carried by the grasp instead.
+bool heldBy(const Model& m, const StrandState&, const ToolState& tool, const Sample& x, double reach) {
+  if (tool.holdsNeedle && x.index >= m.strand.nodes) return true;
+  return tool.threadCoordinate >= 0.0 && std::fabs(x.coordinate - tool.threadCoordinate) < reach;
+}
+
+void addTissueForce(const Model& m, const StrandContact& c, const Vec3& onStrand, std::vector<Vec3>& nodal) {
+  if (c.feature >= static_cast<int>(m.surface.triangles.size())) return;
+  const auto& v = m.surface.triangles[c.feature];
+  for (int k = 0; k < 3; ++k) nodal[v[k]] -= c.weight[k] * onStrand;
+}
+
+/// The tip presses hard enough, pointing into the tissue: it goes through.
+bool punctures(const Model& m, const StrandState& s, const StrandContact& c, const Vec3& normal) {
+  constexpr double kSkimming = 0.25;           // [1] cosine: flatter than 75 degrees from the normal it only scratches
+  if (c.sample + 1 != sampleCount(m.strand) || c.normalForce < m.params.needle.punctureForce) return false;
+  return -strandTangent(m.strand, s, tipCoordinate(m.strand)).dot(normal) > kSkimming;
+}
+
+}  // namespace
+
+void linkContacts(const Model& m, const SolidMotion& motion, State& state) {
+  int fresh = 0;
+  const double jawReach = 4e-3;                // [m] of thread on either side of the jaws
+  for (int i = 0; i < sampleCount(m.strand); ++i) {
+    const Sample x = sampleAt(m, state.strand, i);
+    touchTissue(m, x, state, fresh);
+    for (int solid = 0; solid < kSolids; ++solid) {
+      const int hand = solidHand(solid);
+      if (hand >= 0 && heldBy(m, state.strand, state.tools[hand], x, jawReach)) continue;
+      touchSolid(m, x, motion, solid, state, fresh);
+    }
+  }
+  state.work.freshCount = fresh;
+}
+
+void settleContacts(const Model& m, int firstLink, State& state, StepOutput& out) {
+  StrandState& s = state.strand;
+  const int triangles = static_cast<int>(m.surface.triangles.size());
+  for (int i = 0; i < s.contactCount; ++i) addTissueForce(m, s.contacts[i], -s.contacts[i].force, state.work.change);
+  for (ToolState& tool : state.tools) tool.strandForce.setZero();
+  int kept = 0, punctured = -1;
+  for (int i = 0; i < state.work.freshCount; ++i) {
+    StrandContact c = state.work.freshContacts[i];
+    const Vec3 normal = c.force, solved = state.work.strand.links[firstLink + i].force;
+    c.normalForce = solved.dot(normal);
+    if (c.normalForce <= 0.0) continue;
+    c.force = solved;
+    if (c.feature < triangles && punctures(m, s, c, normal)) { punctured = i; continue; }
+    addTissueForce(m, c, c.force, state.work.change);
+    const int hand = c.feature < triangles ? -1 : solidHand(c.feature - triangles);
+    if (hand >= 0) state.tools[hand].strandForce -= c.force;
+    s.contacts[kept++] = c;
+  }
+  for (int i = kept; i < s.contactCount; ++i) s.contacts[i] = StrandContact{};
+  s.contactCount = kept;
+  if (punctured >= 0) {
+    const StrandContact& c = state.work.freshContacts[punctured];
+    openEntry(m, c.feature, c.weight, c.force, state, out);   // `force` still holds the direction
+  }
+}
+
+void gatherContactForces(const Model& m, const StrandState& s, std::vector<Vec3>& nodal) {
+  for (int i = 0; i < s.contactCount; ++i) addTissueForce(m, s.contacts[i], s.contacts[i].force, nodal);
+}
+
+}  // namespace halsted

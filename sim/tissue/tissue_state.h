@@ -1,0 +1,23 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim/types.h"
+
+namespace halsted {
+
+/// Written by sim/tissue.
+struct TissueState {
+  std::vector<Vec3> position, velocity;        // [m], [m/s] one per particle
+  std::vector<Quat> rotation;                  // per tet (projective) or cluster (shape matching): warm start of the polar factor
+  std::vector<double> pressure;                // [Pa] per tet: volumetric part of the stress (projective)
+  std::vector<Vec3> rodForce;                  // [N] per particle: on the tissue from the fixed rod
+  static constexpr int kMaxPairs = 512;
+  std::int32_t pairCount = 0;                  // tissue against itself: a vertex near a triangle, refreshed every few steps
+  std::int32_t droppedPairs = 0;               // pairs that did not fit
+  std::array<std::int32_t, kMaxPairs> pairVertex{}, pairTriangle{};
+  std::array<double, kMaxPairs> pairForce{};   // [N] along the triangle's normal, on the vertex
+};
+
+}  // namespace halsted

@@ -1,0 +1,145 @@
+#include "sim/tools/find_touch.h"
+
+#include <cmath>
+
+#include "sim/contact/geometry.h"
+#include "sim/tools/tool_shape.h"
+
+namespace halsted {
+namespace {
+
+constexpr int kRefreshInterval = 4;            // steps
+constexpr double kNearReach = 8e-3;            // [m] beyond the shaft's radius: an edge of the mesh and four steps of fast motion
+constexpr double kMargin = 0.3e-3;             // [m] contacts are made before they touch
+constexpr double kMerge = 0.4e-3;              // [m] contact points closer than this are one
+constexpr double kBehind = 1.0e-3;             // [m] half a wall: deeper, the other side is nearer
+constexpr double kTriangleReach = 6e-3;        // [m] longest edge to expect when rejecting triangles
+
+struct Found {
+  TouchPoint point;
+  bool ok = false;
+};
+
+/// Contact of a capsule with one triangle; the normal pushes the tissue out of the tool.
+Found touchOf(const Model& m, const CapsuleShape& c, int triangle, std::span<const Vec3> x) {
+  Found f;
+  const auto& v = m.surface.triangles[triangle];
+  const Vec3 &a = x[v[0]], &b = x[v[1]], &d = x[v[2]];
+  if ((a - (c.a + closestOnSegment(a, c.a, c.b) * (c.b - c.a))).squaredNorm() > (c.radius + kTriangleReach) * (c.radius + kTriangleReach)) return f;
+  const SegmentTriangle near = closestSegmentTriangle(c.a, c.b, a, b, d);
+  const double distance = std::sqrt(near.squaredDistance);
+  if (distance > c.radius + kMargin) return f;
+  const Vec3 axis = c.a + near.fraction * (c.b - c.a), on = mix(near.weight, a, b, d);
+  const Vec3 outward = (b - a).cross(d - a).normalized();
+  const double height = outward.dot(axis - on);                  // [m] of the axis over the triangle
+  f.point.triangle = triangle;
+  f.point.weight = near.weight;
+  if (height > 1e-9 && distance > 1e-9) {
+    f.point.normal = (on - axis) / distance;
+    f.point.gap = distance - c.radius;
+  } else if (height > -kBehind) {
+    f.point.normal = -outward;
+    f.point.gap = height - c.radius;
+  } else {
+    return f;
+  }
+  f.point.toolPoint = axis + c.radius * f.point.normal;
+  f.ok = true;
+  return f;
+}
+
+bool isHeld(const Model& m, const ToolState& t, int triangle) {
+  for (int g = 0; g < t.graspCount; ++g)
+    for (int held : m.surface.triangles[t.graspTriangle[g]])
+      for (int v : m.surface.triangles[triangle])
+        if (v == held) return true;
+  return false;
+}
+
+/// Same spot as a contact already found for this tool: keep the deeper one.
+bool merged(const Model& m, const TouchPoint& fresh, std::span<const Vec3> x, int first, TouchWork& w) {
+  const Vec3 p = pointOn(m.surface, x, fresh.triangle, fresh.weight);
+  for (int i = first; i < w.count; ++i) {
+    if ((pointOn(m.surface, x, w.point[i].triangle, w.point[i].weight) - p).squaredNorm() > kMerge * kMerge) continue;
+    if (fresh.gap < w.point[i].gap) w.point[i] = fresh;
+    return true;
+  }
+  return false;
+}
+
+void insert(const TouchPoint& fresh, int first, TouchWork& w) {
+  if (w.count - first < ToolState::kMaxContacts) { w.point[w.count++] = fresh; return; }
+  int shallow = first;
+  for (int i = first; i < w.count; ++i)
+    if (w.point[i].gap > w.point[shallow].gap) shallow = i;
+  if (fresh.gap < w.point[shallow].gap) w.point[shallow] = fresh;
+}
+
+/// Carries the force of the last step over when the same triangle was touched; friction needs how far the tissue slid.
+void carryOver(const Model& m, const Pose& before, const State& s, TouchPoint& p) {
+  const ToolState& t = s.tools[p.hand];
+  for (int i = 0; i < t.contactCount; ++i) {
+    if (t.contactTriangle[i] != p.triangle) continue;
+    const double along = t.contactForce[i].dot(p.normal);
+    p.force = along > 0.0 ? t.contactForce[i] : Vec3::Zero();
+    break;
+  }
+  p.old = p.force;
+  const Vec3 moved = pointOn(m.surface, s.tissue.position, p.triangle, p.weight) - pointOn(m.surface, s.work.tissue.previous, p.triangle, p.weight);
+  const Vec3 local = t.proxy.inverseApply(p.toolPoint);
+  const Vec3 slide = moved - (p.toolPoint - before.apply(local));
+  p.slide = slide - slide.dot(p.normal) * p.normal;
+}
+
+}  // namespace
+
+void refreshNear(const Model& m, int hand, State& s) {
+  ToolState& t = s.tools[hand];
+  if (s.step % kRefreshInterval != static_cast<unsigned>(hand)) return;
+  const ToolParams& p = m.params.tools[hand];
+  const Vec3 tip = t.proxy.position, top = t.proxy.apply(Vec3(0.0, 0.0, p.jawLength + p.shaftLength));
+  const double reach = p.shaftRadius + kNearReach;
+  t.nearCount = 0;
+  for (std::size_t f = 0; f < m.surface.triangles.size() && t.nearCount < ToolState::kMaxNear; ++f) {
+    const Vec3& x = s.tissue.position[m.surface.triangles[f][0]];
+    const Vec3 axis = tip + closestOnSegment(x, tip, top) * (top - tip);
+    if ((x - axis).squaredNorm() < reach * reach) t.nearTriangle[t.nearCount++] = static_cast<std::int32_t>(f);
+  }
+  for (int i = t.nearCount; i < ToolState::kMaxNear; ++i) t.nearTriangle[i] = -1;
+}
+
+void findContacts(const Model& m, int hand, const Pose& before, State& s) {
+  const ToolState& t = s.tools[hand];
+  TouchWork& w = s.work.touch;
+  const int first = w.count;
+  const auto capsules = toolCapsules(m.params.tools[hand], t.jaw);
+  for (int c = 0; c < kSolidsPerTool; ++c) {
+    const CapsuleShape capsule = placed(capsules[c], t.proxy);
+    for (int i = 0; i < t.nearCount; ++i) {
+      if (isHeld(m, t, t.nearTriangle[i])) continue;
+      Found f = touchOf(m, capsule, t.nearTriangle[i], s.tissue.position);
+      if (!f.ok) continue;
+      f.point.hand = hand;
+      if (!merged(m, f.point, s.tissue.position, first, w)) insert(f.point, first, w);
+    }
+  }
+  for (int i = first; i < w.count; ++i) carryOver(m, before, s, w.point[i]);
+}
+
+void findGrasps(const Model& m, int hand, State& s) {
+  const ToolState& t = s.tools[hand];
+  for (int g = 0; g < t.graspCount; ++g) {
+    TouchPoint p;
+    p.hand = hand;
+    p.grasp = true;
+    p.triangle = t.graspTriangle[g];
+    p.weight = t.graspWeight[g];
+    p.toolPoint = t.proxy.apply(t.graspLocal[g]);
+    p.slide = pointOn(m.surface, s.tissue.position, p.triangle, p.weight) - p.toolPoint;
+    p.old = p.force = t.graspForce[g];
+    p.slipLimit = m.params.tools[hand].gripForce / t.graspCount;
+    s.work.touch.point[s.work.touch.count++] = p;
+  }
+}
+
+}  // namespace halsted

@@ -1,0 +1,176 @@
+#include "sim/tools/grasp.h"
+
+#include <cmath>
+
+#include "sim/contact/geometry.h"
+#include "sim/suture/holes.h"
+#include "sim/tools/touch.h"
+
+namespace halsted {
+namespace {
+
+constexpr double kCloseBelow = 0.35, kOpenAbove = 0.5;   // [1] jaw opening; the gap between them keeps a tremor from letting go
+constexpr double kGripStiffness = 5e3;         // [N/m] needle or thread between steel jaws
+constexpr double kGripTurn = 1.0;              // [N m/rad] needle held across the jaws
+constexpr double kThreadGrip = 8.0;            // [N] above it the thread slips through the jaws
+constexpr double kJawDepth = 7e-3;             // [m] from the tips along the jaws: how deep things may lie and be held
+constexpr int kScan = 64;                      // samples along the needle when looking for what the jaws hold
+
+/// Distance of a point from the middle line of the jaws [m].
+double fromJaws(const ToolState& t, const Vec3& p) {
+  const Vec3 a = t.proxy.position, b = t.proxy.apply(Vec3(0.0, 0.0, kJawDepth));
+  return (p - a - closestOnSegment(p, a, b) * (b - a)).norm();
+}
+
+bool graspNeedle(const Model& m, int hand, State& s) {
+  ToolState& t = s.tools[hand];
+  double best = m.params.tools[hand].captureRadius;      // [m]
+  const double arc = tipCoordinate(m.strand) - m.strand.length;
+  for (int i = 0; i <= kScan; ++i) {
+    const double coordinate = m.strand.length + 1e-9 + arc * i / kScan;
+    const double d = fromJaws(t, strandPoint(m.strand, s.strand, coordinate));
+    if (d >= best) continue;
+    best = d;
+    t.holdsNeedle = true;
+    t.needleCoordinate = coordinate;
+  }
+  if (!t.holdsNeedle) return false;
+  t.needleInTool.position = t.proxy.inverseApply(s.strand.needle.position);
+  t.needleInTool.orientation = (t.proxy.orientation.conjugate() * s.strand.needle.orientation).normalized();
+  return true;
+}
+
+bool graspThread(const Model& m, int hand, State& s) {
+  ToolState& t = s.tools[hand];
+  double best = m.params.tools[hand].captureRadius;      // [m]
+  for (int i = 0; i + 1 < m.strand.nodes; ++i) {
+    for (int half = 0; half < 2; ++half) {
+      const double coordinate = (i + 0.5 * half) * m.strand.segment;
+      const double d = fromJaws(t, strandPoint(m.strand, s.strand, coordinate));
+      if (d < best) { best = d; t.threadCoordinate = coordinate; }
+    }
+  }
+  return t.threadCoordinate >= 0.0;
+}
+
+/// Holds the surface points nearest to the jaws' middle line, at most one a triangle vertex neighbourhood, nearest first.
+bool graspTissue(const Model& m, int hand, State& s) {
+  ToolState& t = s.tools[hand];
+  const double reach = m.params.tools[hand].captureRadius;
+  const Vec3 a = t.proxy.position, b = t.proxy.apply(Vec3(0.0, 0.0, kJawDepth));
+  for (std::size_t f = 0; f < m.surface.triangles.size() && t.graspCount < ToolState::kMaxGrasp; ++f) {
+    const auto& v = m.surface.triangles[f];
+    const auto& x = s.tissue.position;
+    if ((x[v[0]] - a).norm() > reach + kJawDepth + 8e-3) continue;
+    const SegmentTriangle near = closestSegmentTriangle(a, b, x[v[0]], x[v[1]], x[v[2]]);
+    if (near.squaredDistance > reach * reach) continue;
+    const Vec3 p = mix(near.weight, x[v[0]], x[v[1]], x[v[2]]);
+    bool taken = false;
+    for (int g = 0; g < t.graspCount; ++g) taken = taken || (t.proxy.apply(t.graspLocal[g]) - p).norm() < 1.5e-3;
+    if (taken) continue;
+    const int g = t.graspCount++;
+    t.graspTriangle[g] = static_cast<std::int32_t>(f);
+    t.graspWeight[g] = near.weight;
+    t.graspLocal[g] = t.proxy.inverseApply(p);
+    t.graspForce[g].setZero();
+  }
+  return t.graspCount > 0;
+}
+
+void release(const Model& m, int hand, State& s, StepOutput& out) {
+  ToolState& t = s.tools[hand];
+  if (t.holdsNeedle) pushEvent(out, {s.step, EventKind::kNeedleReleased, hand, -1, t.needleForce.norm()});
+  if (t.threadCoordinate >= 0.0) pushEvent(out, {s.step, EventKind::kThreadReleased, hand, -1, t.threadForce.norm()});
+  if (t.graspCount > 0) pushEvent(out, {s.step, EventKind::kTissueReleased, hand, -1, touchForce(t).norm()});
+  for (int g = 0; g < t.graspCount; ++g) {
+    const auto& v = m.surface.triangles[t.graspTriangle[g]];
+    for (int k = 0; k < 3; ++k) s.work.change[v[k]] -= t.graspWeight[g][k] * t.graspForce[g];
+    t.graspTriangle[g] = -1;
+    t.graspWeight[g] = {};
+    t.graspLocal[g] = t.graspForce[g] = Vec3::Zero();
+  }
+  t.graspCount = 0;
+  t.holdsNeedle = false;
+  t.needleForce = t.threadForce = Vec3::Zero();
+  t.threadCoordinate = -1.0;
+  out.contact[hand].puncture = true;           // letting go may change the force at once
+}
+
+void close(const Model& m, int hand, State& s, StepOutput& out) {
+  if (graspNeedle(m, hand, s)) pushEvent(out, {s.step, EventKind::kNeedleGrasped, hand, -1, s.tools[hand].needleCoordinate});
+  else if (graspThread(m, hand, s)) pushEvent(out, {s.step, EventKind::kThreadGrasped, hand, -1, s.tools[hand].threadCoordinate});
+  else if (graspTissue(m, hand, s)) pushEvent(out, {s.step, EventKind::kTissueGrasped, hand, s.tools[hand].graspCount, 0.0});
+}
+
+/// Where the tool would be if `own` were not pulling on it [m]: the spring of the coupling is then in series with the grip's.
+Pose looseTool(const Model& m, int hand, const ToolState& t, const Vec3& own) {
+  return {t.device.position + (t.force - own) / m.params.tools[hand].couplingStiffness, t.device.orientation};
+}
+
+double seriesStiffness(const Model& m, int hand) {
+  return 1.0 / (1.0 / m.params.tools[hand].couplingStiffness + 1.0 / kGripStiffness);
+}
+
+}  // namespace
+
+void moveTool(const Model& m, int hand, const ToolSample& sample, State& s, StepOutput& out) {
+  ToolState& t = s.tools[hand];
+  t.device = sample.pose;
+  t.jaw = std::fmin(1.0, std::fmax(0.0, sample.jaw));
+  updateProxy(m, hand, s);
+  if (!t.closed && t.jaw < kCloseBelow) {
+    t.closed = true;
+    close(m, hand, s, out);
+  } else if (t.closed && t.jaw > kOpenAbove) {
+    t.closed = false;
+    release(m, hand, s, out);
+  }
+}
+
+GraspLinks linkGrasp(const Model& m, int hand, State& s) {
+  const ToolState& t = s.tools[hand];
+  GraspLinks links;
+  StrandLink link;
+  link.stiffness = seriesStiffness(m, hand) * Mat3::Identity();
+  if (t.holdsNeedle) {
+    const Pose tool = looseTool(m, hand, t, t.needleForce);
+    Vec3 point, tangent;
+    arcAt(m.strand, t.needleCoordinate, point, tangent);
+    link.coordinate = t.needleCoordinate;
+    link.anchor = tool.apply(t.needleInTool.apply(point));
+    links.needle = s.work.strand.linkCount;
+    addLink(s.work.strand, link);
+    s.work.strand.turns[s.work.strand.turnCount++] = {(tool.orientation * t.needleInTool.orientation).normalized(), kGripTurn};
+  }
+  if (t.threadCoordinate >= 0.0) {
+    link.coordinate = t.threadCoordinate;
+    link.anchor = looseTool(m, hand, t, t.threadForce).position;
+    links.thread = s.work.strand.linkCount;
+    addLink(s.work.strand, link);
+  }
+  return links;
+}
+
+void settleGrasp(const Model& m, int hand, const GraspLinks& links, State& s, StepOutput& out) {
+  ToolState& t = s.tools[hand];
+  if (links.needle >= 0) t.needleForce = -s.work.strand.links[links.needle].force;
+  if (links.thread >= 0) {
+    t.threadForce = -s.work.strand.links[links.thread].force;
+    if (t.threadForce.norm() > kThreadGrip) {
+      pushEvent(out, {s.step, EventKind::kThreadReleased, hand, -1, t.threadForce.norm()});
+      t.threadCoordinate = -1.0;
+      t.threadForce.setZero();
+      out.contact[hand].puncture = true;
+    }
+  }
+  updateProxy(m, hand, s);
+}
+
+void updateProxy(const Model& m, int hand, State& s) {
+  ToolState& t = s.tools[hand];
+  t.force = touchForce(t) + t.needleForce + t.threadForce + t.strandForce;
+  t.proxy.position = t.device.position + t.force / m.params.tools[hand].couplingStiffness;
+  t.proxy.orientation = t.device.orientation;
+}
+
+}  // namespace halsted

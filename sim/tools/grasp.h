@@ -1,0 +1,21 @@
+#pragma once
+/// What closing and opening the jaws does: needle, thread or tissue that lies between them is held. Physics thread; no heap.
+#include "sim/model.h"
+#include "sim/state.h"
+#include "sim/step.h"
+
+namespace halsted {
+
+/// Takes over the sample's pose and jaw; grasps on closing, releases on opening.
+void moveTool(const Model&, int hand, const ToolSample&, State&, StepOutput&);
+
+/// Links of needle and thread held by the jaws; remembers their place in the link table.
+struct GraspLinks { int needle = -1, thread = -1; };
+GraspLinks linkGrasp(const Model&, int hand, State&);
+/// After the strand's solve: forces on the tool; the thread slips out above the grip.
+void settleGrasp(const Model&, int hand, const GraspLinks&, State&, StepOutput&);
+
+/// Total force on the hand and the proxy that follows from it: proxy = device + force / coupling.
+void updateProxy(const Model&, int hand, State&);
+
+}  // namespace halsted

@@ -1,0 +1,67 @@
+#include "sim/tools/local_contact.h"
+
+#include "sim/tools/touch.h"
+
+namespace halsted {
+namespace {
+
+constexpr double kTautStiffness = 400.0;       // [N/m] a taut thread along its pull: the tissue at its last hole gives
+constexpr double kDamping = 0.4;               // [N s/m] while touching: b > K T / 2 for 0.8 N/mm at 1 kHz (Colgate and Schenkel 1997)
+
+/// Stiffness of the needle's holes against a translation of the hand that holds the needle [N/m].
+Mat3 needleStiffness(const Model& m, const State& s) {
+  Mat3 k = Mat3::Zero();
+  for (int i = 0; i < s.strand.holeCount; ++i) {
+    const Hole& h = s.strand.holes[i];
+    if (h.coordinate <= m.strand.length) continue;
+    const Vec3 t = strandTangent(m.strand, s.strand, h.coordinate);
+    const bool sticks = h.slip == 0 && h.role != static_cast<std::int32_t>(HoleRole::kTip);
+    k += (sticks ? Mat3(Mat3::Identity()) : Mat3(Mat3::Identity() - t * t.transpose())) / s.work.holes.bound[i];
+  }
+  return k;
+}
+
+Mat3 inSeries(const Mat3& k, double coupling) {  // [N/m] both
+  const Mat3 sum = k + coupling * Mat3::Identity();
+  const Mat3 series = coupling * (k * sum.inverse());
+  return 0.5 * (series + series.transpose());
+}
+
+/// The strongest contacts as planes in device space: where the normal force would vanish.
+void writePlanes(const ToolState& t, LocalContact& c) {
+  c.planeCount = 0;
+  for (int i = 0; i < t.contactCount && c.planeCount < LocalContact::kMaxPlanes; ++i) {
+    const Vec3 away = -t.contactNormal[i];
+    bool known = false;
+    for (int k = 0; k < c.planeCount; ++k) known = known || c.planes[k].normal.dot(away) > 0.95;
+    if (known) continue;
+    const double stiff = away.dot(c.stiffness * away), push = c.force.dot(away);
+    c.planes[c.planeCount++] = {c.position + (stiff > 1.0 && push > 0.0 ? push / stiff : 0.0) * away, away};
+  }
+}
+
+}  // namespace
+
+void writeLocalContact(const Model& m, const State& s, int hand, std::uint64_t sampleTick, LocalContact& c) {
+  const ToolState& t = s.tools[hand];
+  const double coupling = m.params.tools[hand].couplingStiffness;
+  c.step = s.step;
+  c.sampleTick = sampleTick;
+  c.position = t.device.position;
+  c.force = t.force;
+  Mat3 k = touchStiffness(m, s, hand);
+  if (t.holdsNeedle) k += needleStiffness(m, s);
+  const double pull = t.threadForce.norm();
+  if (pull > 0.02) {
+    const Vec3 d = t.threadForce / pull;
+    k += kTautStiffness * d * d.transpose();
+  }
+  c.stiffness = inSeries(k, coupling);
+  c.touching = t.force.squaredNorm() > 1e-12;
+  c.damping = c.touching ? Mat3(kDamping * Mat3::Identity()) : Mat3(Mat3::Zero());
+  const bool bilateral = t.graspCount > 0 || t.holdsNeedle || t.threadCoordinate >= 0.0;
+  c.planeCount = 0;
+  if (!bilateral) writePlanes(t, c);
+}
+
+}  // namespace halsted

@@ -1,0 +1,26 @@
+#include "sim/tools/tool_shape.h"
+
+namespace halsted {
+
+CapsuleShape placed(const CapsuleShape& c, const Pose& pose) { return {pose.apply(c.a), pose.apply(c.b), c.radius}; }
+
+std::array<CapsuleShape, kSolidsPerTool> toolCapsules(const ToolParams& t, double jaw) {
+  constexpr double kHalfDegree = 3.14159265358979312 / 360.0;  // half the angle between the jaws, small enough to be its tangent [rad]
+  const double open = t.jawRadius + jaw * t.jawAngleDegrees * kHalfDegree * t.jawLength;   // [m] tip offset from the middle
+  const Vec3 hinge(0.0, 0.0, t.jawLength);
+  const Vec3 side(t.jawRadius, 0.0, 0.0);
+  return {CapsuleShape{Vec3(open, 0.0, 0.0), hinge + side, t.jawRadius}, CapsuleShape{Vec3(-open, 0.0, 0.0), hinge - side, t.jawRadius},
+          CapsuleShape{hinge, hinge + Vec3(0.0, 0.0, t.shaftLength), t.shaftRadius}};
+}
+
+std::array<CapsuleShape, kSolids> worldSolids(const Model& m, const State& s) {
+  std::array<CapsuleShape, kSolids> all;
+  for (int hand = 0; hand < kHands; ++hand) {
+    const auto parts = toolCapsules(m.params.tools[hand], s.tools[hand].jaw);
+    for (int k = 0; k < kSolidsPerTool; ++k) all[hand * kSolidsPerTool + k] = placed(parts[k], s.tools[hand].proxy);
+  }
+  all[kRod] = {m.params.anvil.from, m.params.anvil.to, m.params.anvil.radius};
+  return all;
+}
+
+}  // namespace halsted

@@ -1,0 +1,41 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "sim/types.h"
+
+namespace halsted {
+
+/// What one hand's jaws hold and feel. Written by sim/tools.
+struct ToolState {
+  static constexpr int kMaxGrasp = 6, kMaxContacts = 24, kMaxNear = 160;
+  Pose device;                                 // last sample consumed
+  Pose proxy;                                  // where the simulated tool is
+  double jaw = 1.0;                            // [1]
+  bool closed = false;                         // jaws shut enough to hold
+  Vec3 force = Vec3::Zero();                   // [N] total on the hand
+  // Needle and thread in the jaws.
+  bool holdsNeedle = false;
+  double needleCoordinate = 0.0;               // [m] strand coordinate where the jaws hold the needle
+  Pose needleInTool;                           // needle frame in the tool frame at the grasp
+  Vec3 needleForce = Vec3::Zero();             // [N] on the tool
+  double threadCoordinate = -1.0;              // [m] strand coordinate held, < 0 none
+  Vec3 threadForce = Vec3::Zero();             // [N] on the tool
+  Vec3 strandForce = Vec3::Zero();             // [N] on the tool, thread and needle lying against it
+  // Tissue in the jaws: points of surface triangles.
+  std::int32_t graspCount = 0;
+  std::array<std::int32_t, kMaxGrasp> graspTriangle{};
+  std::array<std::array<double, 3>, kMaxGrasp> graspWeight{};   // [1]
+  std::array<Vec3, kMaxGrasp> graspLocal{};    // [m] held point in the tool frame
+  std::array<Vec3, kMaxGrasp> graspForce{};    // [N] on the tissue
+  // Tissue against the tool.
+  std::int32_t contactCount = 0;
+  std::array<std::int32_t, kMaxContacts> contactTriangle{};
+  std::array<std::array<double, 3>, kMaxContacts> contactWeight{};   // [1]
+  std::array<Vec3, kMaxContacts> contactNormal{};                     // [1] from the tool into the tissue
+  std::array<Vec3, kMaxContacts> contactForce{};   // [N] on the tissue
+  std::int32_t nearCount = 0;                  // surface triangles near the tool, refreshed every few steps
+  std::array<std::int32_t, kMaxNear> nearTriangle{};
+};
+
+}  // namespace halsted

@@ -1,0 +1,145 @@
+#include "sim/tools/touch.h"
+
+#include <cmath>
+
+#include "sim/tools/find_touch.h"
+
+namespace halsted {
+namespace {
+
+constexpr int kSweeps = 8;                     // Gauss-Seidel sweeps, started from the forces of the last step
+
+double tissueCompliance(const Model& m, const TouchPoint& a, const TouchPoint& b) {
+  const auto &u = m.surface.triangles[a.triangle], &v = m.surface.triangles[b.triangle];
+  double sum = 0.0;                            // [m/N]
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) sum += a.weight[i] * b.weight[j] * compliance(m.tissue.projective, u[i], v[j]);
+  return sum;
+}
+
+void fillCompliance(const Model& m, TouchWork& w) {
+  for (int i = 0; i < w.count; ++i) {
+    for (int j = i; j < w.count; ++j) {
+      const TouchPoint &a = w.point[i], &b = w.point[j];
+      const double coupling = a.hand == b.hand ? 1.0 / m.params.tools[a.hand].couplingStiffness : 0.0;
+      const double c = tissueCompliance(m, a, b) + coupling;
+      w.compliance[i * TouchWork::kMax + j] = c;
+      w.compliance[j * TouchWork::kMax + i] = c;
+    }
+  }
+}
+
+/// Motion of tissue past tool at point i that the changes of force cause [m].
+Vec3 response(const TouchWork& w, int i) {
+  Vec3 u = Vec3::Zero();
+  const double* row = &w.compliance[i * TouchWork::kMax];
+  for (int j = 0; j < w.count; ++j) u += row[j] * (w.point[j].force - w.point[j].old);
+  return u;
+}
+
+Vec3 limited(const Vec3& v, double limit) {
+  const double length = v.norm();
+  return length > limit ? Vec3(limit / length * v) : v;
+}
+
+void sweep(const Model& m, TouchWork& w) {
+  for (int i = 0; i < w.count; ++i) {
+    TouchPoint& p = w.point[i];
+    const Vec3 u = response(w, i);
+    const double own = w.compliance[i * TouchWork::kMax + i];
+    if (p.grasp) {
+      p.force = limited(p.force - (p.slide + u) / own, p.slipLimit);
+      continue;
+    }
+    const double normal = p.force.dot(p.normal);
+    const double pushed = std::fmax(0.0, normal - (p.gap + u.dot(p.normal)) / own);
+    const Vec3 tangent = p.force - normal * p.normal;
+    const Vec3 slide = p.slide + u - u.dot(p.normal) * p.normal;
+    p.force = pushed * p.normal + limited(tangent - slide / own, m.params.contact.toolTissueFriction * pushed);
+  }
+}
+
+void addNodal(const Model& m, int triangle, const std::array<double, 3>& weight, const Vec3& f, std::vector<Vec3>& nodal) {
+  const auto& v = m.surface.triangles[triangle];
+  for (int k = 0; k < 3; ++k) nodal[v[k]] += weight[k] * f;
+}
+
+/// Replaces the tool's stored contacts by the ones just solved.
+void store(const Model& m, State& s) {
+  std::array<int, kHands> grasp{}, contact{};
+  for (int i = 0; i < s.work.touch.count; ++i) {
+    const TouchPoint& p = s.work.touch.point[i];
+    ToolState& t = s.tools[p.hand];
+    addNodal(m, p.triangle, p.weight, p.force, s.work.change);
+    if (p.grasp) { t.graspForce[grasp[p.hand]++] = p.force; continue; }
+    if (p.force.squaredNorm() <= 0.0) continue;
+    const int k = contact[p.hand]++;
+    t.contactTriangle[k] = p.triangle;
+    t.contactWeight[k] = p.weight;
+    t.contactNormal[k] = p.normal;
+    t.contactForce[k] = p.force;
+  }
+  for (int hand = 0; hand < kHands; ++hand) {
+    ToolState& t = s.tools[hand];
+    t.contactCount = contact[hand];
+    for (int k = t.contactCount; k < ToolState::kMaxContacts; ++k) {
+      t.contactTriangle[k] = -1;
+      t.contactWeight[k] = {};
+      t.contactNormal[k] = t.contactForce[k] = Vec3::Zero();
+    }
+  }
+}
+
+}  // namespace
+
+void solveTouch(const Model& m, const std::array<Pose, kHands>& before, State& s) {
+  s.work.touch.count = 0;
+  for (int hand = 0; hand < kHands; ++hand) {
+    refreshNear(m, hand, s);
+    findContacts(m, hand, before[hand], s);
+    findGrasps(m, hand, s);
+  }
+  fillCompliance(m, s.work.touch);
+  for (int k = 0; k < kSweeps; ++k) sweep(m, s.work.touch);
+  for (const ToolState& t : s.tools) {         // what was carried into the step is replaced by what `store` adds
+    for (int i = 0; i < t.contactCount; ++i) addNodal(m, t.contactTriangle[i], t.contactWeight[i], -t.contactForce[i], s.work.change);
+    for (int g = 0; g < t.graspCount; ++g) addNodal(m, t.graspTriangle[g], t.graspWeight[g], -t.graspForce[g], s.work.change);
+  }
+  store(m, s);
+}
+
+void gatherTouchForces(const Model& m, const State& s, std::vector<Vec3>& nodal) {
+  for (const ToolState& t : s.tools) {
+    for (int i = 0; i < t.contactCount; ++i) addNodal(m, t.contactTriangle[i], t.contactWeight[i], t.contactForce[i], nodal);
+    for (int g = 0; g < t.graspCount; ++g) addNodal(m, t.graspTriangle[g], t.graspWeight[g], t.graspForce[g], nodal);
+  }
+}
+
+Vec3 touchForce(const ToolState& t) {
+  Vec3 sum = Vec3::Zero();
+  for (int i = 0; i < t.contactCount; ++i) sum -= t.contactForce[i];
+  for (int g = 0; g < t.graspCount; ++g) sum -= t.graspForce[g];
+  return sum;
+}
+
+Mat3 touchStiffness(const Model& m, const State& s, int hand) {
+  const TouchWork& w = s.work.touch;
+  Mat3 k = Mat3::Zero();
+  for (int i = 0; i < w.count; ++i) {
+    const TouchPoint& p = w.point[i];
+    if (p.hand != hand || (!p.grasp && p.force.squaredNorm() <= 0.0)) continue;
+    double row = 0.0;                          // [m/N] what the point gives when all points of this tool are pushed alike
+    for (int j = 0; j < w.count; ++j) {
+      const TouchPoint& q = w.point[j];
+      if (q.hand == hand && (q.grasp || q.force.squaredNorm() > 0.0)) row += std::fabs(tissueCompliance(m, p, q));
+    }
+    if (row <= 0.0) continue;
+    const double normal = p.force.dot(p.normal);
+    const double tangential = (p.force - normal * p.normal).norm();
+    const bool sticks = p.grasp || tangential < 0.99 * m.params.contact.toolTissueFriction * normal;
+    k += (sticks ? Mat3(Mat3::Identity()) : Mat3(p.normal * p.normal.transpose())) / row;
+  }
+  return k;
+}
+
+}  // namespace halsted

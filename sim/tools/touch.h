@@ -1,0 +1,22 @@
+#pragma once
+/// Tools against tissue: contacts with Coulomb friction and grasps, solved together on the tissue's true compliance and the tools'
+/// coupling (physics.md 0.8, B7; Duriez 2006). Physics thread; no heap.
+#include "sim/model.h"
+#include "sim/state.h"
+#include "sim/step.h"
+
+namespace halsted {
+
+/// Finds what touches, solves for the forces, and writes them to the tools and to `work.change`.
+/// `before`: the tools' proxies at the start of the step.
+void solveTouch(const Model&, const std::array<Pose, kHands>& before, State&);
+
+void gatherTouchForces(const Model&, const State&, std::vector<Vec3>& nodal);
+
+/// Force of the tissue on a tool, contacts and grasps together [N].
+Vec3 touchForce(const ToolState&);
+
+/// Condensed stiffness of what the tool touches, as seen by a rigid translation of the tool [N/m].
+Mat3 touchStiffness(const Model&, const State&, int hand);
+
+}  // namespace halsted

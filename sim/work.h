@@ -1,0 +1,67 @@
+#pragma once
+/// Scratch memory of a step, sized once by `initialState`; its contents mean nothing between steps.
+#include <array>
+#include <vector>
+
+#include "sim/strand/strand.h"
+#include "sim/tissue/tissue_state.h"
+#include "sim/tools/tool_state.h"
+#include "sim/types.h"
+
+namespace halsted {
+
+/// Used by sim/tissue.
+struct TissueWork {
+  std::vector<Vec3> previous;                  // [m] positions at the start of the step
+  std::vector<Vec3> target;                    // per particle; by solver
+  std::vector<double> rows;                    // per particle: four doubles for the factored solve
+  std::vector<double> scratch;                 // by solver
+};
+
+/// Used by sim/suture: per hole, the tissue's own compliance there, and a bound that includes the pull of the other holes.
+struct HoleWork {
+  std::array<double, StrandState::kMaxHoles> self{}, bound{};   // [m/N]
+  std::array<Vec3, StrandState::kMaxHoles> point{};             // [m] the hole in the predicted tissue
+};
+
+/// Used by sim/contact: uniform grid of surface triangles by centroid, and the pairs of the last refresh.
+struct SelfWork {
+  static constexpr int kCells = 4096;          // hashed; power of two
+  std::vector<int> cellOf, start, item;
+  std::array<std::int32_t, TissueState::kMaxPairs> vertex{}, triangle{};
+  std::array<double, TissueState::kMaxPairs> force{};   // [N]
+};
+
+/// Used by sim/tools: the contacts and grasps of both tools as one small problem on the tissue's compliance.
+struct TouchPoint {
+  int hand = 0, triangle = -1;
+  bool grasp = false;                          // bilateral: held between the jaws
+  std::array<double, 3> weight{};              // [1]
+  Vec3 normal = Vec3::UnitZ();                 // [1] from the tool into the tissue
+  Vec3 toolPoint = Vec3::Zero();               // [m] world point of the tool's surface
+  double gap = 0.0;                            // [m] along the normal, before the forces of this step change
+  Vec3 slide = Vec3::Zero();                   // [m] of tissue past tool in this step, or the whole error of a grasp
+  Vec3 old = Vec3::Zero(), force = Vec3::Zero();   // [N] on the tissue: carried into the step, and now
+  double slipLimit = 0.0;                      // [N] of a grasp
+};
+
+struct TouchWork {
+  static constexpr int kMax = kHands * (ToolState::kMaxContacts + ToolState::kMaxGrasp);
+  std::array<TouchPoint, kMax> point;
+  int count = 0;
+  std::array<double, kMax * kMax> compliance{};    // [m/N] tissue between points, plus the coupling of their common tool
+};
+
+struct StepWork {
+  TouchWork touch;
+  TissueWork tissue;
+  StrandWork strand;
+  HoleWork holes;
+  std::array<StrandContact, StrandState::kMaxContacts> freshContacts;   // found in this step
+  int freshCount = 0;
+  std::vector<Vec3> force;                     // [N] per particle: what the tissue carried from the last step
+  std::vector<Vec3> change;                    // [N] per particle: what contacts changed in this one
+  SelfWork self;
+};
+
+}  // namespace halsted
