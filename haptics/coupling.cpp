@@ -9,6 +9,7 @@ namespace halsted::haptics {
 
 namespace {
 
+constexpr double kRounding = 1e-9;  // [N] what a projection may leave of a pull
 constexpr int kPlaneSweeps = 4;  // two planes settle in one sweep when square, three in a few when they are not
 
 /// What `gain` must be scaled with so that its largest row sum of absolute values, and with it every eigenvalue, is within `cap`.
@@ -25,12 +26,13 @@ Vec3 withoutAdhesion(const LocalContact& contact, const Vec3& force, const Vec3&
   Vec3 kept = force;
   for (int sweep = 0; sweep < kPlaneSweeps; ++sweep) {
     for (int i = 0; i < contact.planeCount; ++i) {
-      const Vec3& normal = contact.planes[i].normal;
-      const double floor = std::min(0.0, last.dot(normal) + step);  // [N]
-      const double along = kept.dot(normal);                       // [N]
-      if (along < floor) kept += normal * (floor - along);
+      const double along = kept.dot(contact.planes[i].normal);  // [N]
+      if (along < 0.0) kept -= contact.planes[i].normal * along;
     }
   }
+  // Projections never move two forces apart, so from a force that did not pull this one is no jump.
+  for (int i = 0; i < contact.planeCount; ++i)
+    if (last.dot(contact.planes[i].normal) < -kRounding) return last + clampLength(kept - last, step);
   return kept;
 }
 
@@ -60,8 +62,8 @@ Vec3 onsetForce(const LocalContact& contact, const Vec3& x, double share) noexce
 
 Vec3 modelForce(const LocalContact& contact, const Vec3& x, const Vec3& v, const CouplingCaps& caps) noexcept {  // [m] [m/s]
   if (!contact.touching) return clampLength(onsetForce(contact, x, shareWithin(contact.stiffness, caps.stiffness)), caps.force);
-  const Vec3 spring = contact.stiffness * (x - contact.position) * shareWithin(contact.stiffness, caps.stiffness);
-  const Vec3 damper = contact.damping * v * shareWithin(contact.damping, caps.damping);
+  const Vec3 spring = contact.stiffness * shareWithin(contact.stiffness, caps.stiffness) * (x - contact.position);
+  const Vec3 damper = contact.damping * shareWithin(contact.damping, caps.damping) * v;
   return clampLength(withoutAdhesion(contact, contact.force - spring - damper, Vec3::Zero(), 0.0), caps.force);
 }
 

@@ -70,9 +70,9 @@ void takeModel(const LocalContact& contact, const HandLoopConfig& config, const 
   if (!state.modelUsable) return;
   const Vec3 before = withoutAdhesion(state.model, currentForce(config, state, position), state.lastRendered, config.blendStep);
   const Vec3 after = modelForce(contact, position, state.velocity, config.caps);
-  state.offset = contact.puncture ? Vec3(Vec3::Zero()) : Vec3(before - after);
+  state.offset = contact.puncture || !allFinite(before - after) ? Vec3(Vec3::Zero()) : Vec3(before - after);
   state.model = contact;
-  state.ageTicks = 0;
+  state.ageTicks = 1;
 }
 
 /// The wanted force before the limits; never more adhesive than a tick ago. What is taken out as adhesion is taken out of the
@@ -81,6 +81,10 @@ Vec3 renderForce(const HandLoopConfig& config, const Vec3& position, HandLoopSta
   const Vec3 blended = currentForce(config, state, position);
   const Vec3 force = withoutAdhesion(state.model, blended, state.lastRendered, config.blendStep);
   const Vec3 damped = withoutAdhesion(state.model, force + state.passiveForce, state.lastRendered, config.blendStep);
+  if (!allFinite(damped)) {  // a model of finite numbers whose force overflows: limitForce cuts it, and nothing of it is kept
+    state.offset = state.passiveForce = state.lastRendered = Vec3::Zero();
+    return damped;
+  }
   state.offset += force - blended;
   state.passiveForce = damped - force;
   state.lastRendered = damped;

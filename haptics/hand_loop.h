@@ -39,7 +39,7 @@ struct HandLoopState {
   LocalContact model;                          // in use; kept to compare with the one that replaces it
   std::uint64_t lastStep = 0;                  // physics step of the model in use
   std::uint64_t lastTick = 0;                  // index of the last tick
-  std::uint64_t ageTicks = 0;                  // ticks since a new model arrived
+  std::uint64_t ageTicks = 0;                  // of the model in use; it is one tick old when it arrives
   Vec3 passiveForce = Vec3::Zero();            // [N] damping that the observer has asked for
   double observedEnergy = 0.0;                 // [J] passivity observer
   LimitState limits;
