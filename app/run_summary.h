@@ -39,6 +39,6 @@ std::string textOf(const RunSummary&);
 std::string jsonOf(const RunSummary&, const std::string& extra);
 
 /// Printf-style number in the C locale, whatever the user's.
-std::string number(const char* format, double value);            // any unit
+std::string number(const char* format, double value);            // [any unit]
 
 }  // namespace halsted::app

@@ -1,0 +1,89 @@
+/// `halsted bench`: what a step and a frame cost here, beside the published figures.
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/commands.h"
+#include "app/progress.h"
+
+namespace fs = std::filesystem;
+
+namespace halsted::app {
+namespace {
+
+/// The paper's frame of 12 ms (82 frames a second); every preset is compared over the same simulated time.
+constexpr double kFrame = 12e-3;               // [s]
+
+struct Published { const char* scene; double milliseconds; const char* hardware; };   // [ms] a frame
+constexpr Published kPublished[] = {
+    {"purse_string", 5.61, "Intel Core i7-13700KF, 16 cores"},   // paper 003, table 1: solver time while suturing
+};
+
+std::vector<std::string> presetOverrides(const std::string& preset) {
+  if (preset == "default") return {};
+  // Eight substeps a frame; tissue, thread and contacts are all solved in each, as in the paper.
+  return {"tissue.solver=shape_matching", "tissue.substeps=1", "sim.dt=1.5e-3"};
+}
+
+Scenario benchScenario(const std::string& folder, const std::string& preset) {
+  const fs::path script = fs::path(folder) / "expert.toml";
+  std::error_code ignored;
+  if (fs::exists(script, ignored)) return scenarioFromFile(script.string(), presetOverrides(preset));
+  return scenarioFromScene(folder, presetOverrides(preset), {});
+}
+
+nlohmann::ordered_json measure(const std::string& folder, const std::string& preset, int steps) {
+  const Scenario scenario = benchScenario(folder, preset);
+  Lockstep run(scenario);
+  Progress progress;
+  for (int i = 0; i < steps && run.advance(); ++i) progress.show(run.time(), scenario.scene.name + " " + preset);
+  const Durations& times = run.stepTimes();
+  const Percentiles step = times.percentiles(1e3);
+  const double mean = times.count() > 0 ? 1e3 * times.total() / static_cast<double>(times.count()) : 0.0;   // [ms]
+  nlohmann::ordered_json row = {{"scene", scenario.scene.name},
+                                {"preset", preset},
+                                {"particles", tissueParticles(scenario.model)},
+                                {"tets", scenario.mesh.tets.size()},
+                                {"thread_nodes", threadNodes(scenario.model)},
+                                {"step_ms", {{"p50", step.p50}, {"p99", step.p99}}},
+                                {"frame_ms", mean * kFrame / scenario.model.params.dt},
+                                {"published_ms", nullptr},
+                                {"published_hardware", nullptr}};
+  for (const Published& published : kPublished)
+    if (scenario.scene.name == published.scene) {
+      row["published_ms"] = published.milliseconds;
+      row["published_hardware"] = published.hardware;
+    }
+  return row;
+}
+
+void printTable(const nlohmann::ordered_json& rows) {
+  std::printf("%-14s %-8s %9s %6s %6s %12s %12s %12s %12s\n", "scene", "preset", "particles", "tets", "thread", "step p50", "step p99",
+              "frame 12 ms", "published");
+  for (const auto& row : rows) {
+    const std::string published = row["published_ms"].is_null() ? "" : number("%.2f ms", row["published_ms"].get<double>());
+    std::printf("%-14s %-8s %9d %6d %6d %9.3f ms %9.3f ms %9.2f ms %12s\n", row["scene"].get<std::string>().c_str(),
+                row["preset"].get<std::string>().c_str(), row["particles"].get<int>(), row["tets"].get<int>(), row["thread_nodes"].get<int>(),
+                row["step_ms"]["p50"].get<double>(), row["step_ms"]["p99"].get<double>(), row["frame_ms"].get<double>(), published.c_str());
+  }
+  std::printf("One physics thread. Published: solver time of one frame on %s.\n", kPublished[0].hardware);
+}
+
+}  // namespace
+
+int bench(const BenchOptions& options) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  bool known = options.scene.empty();
+  for (const std::string& folder : scenes::sceneFolders()) {
+    if (!options.scene.empty() && fs::path(folder).filename() != options.scene) continue;
+    known = true;
+    for (const std::string preset : {"default", "paper"})
+      if (options.preset.empty() || options.preset == preset) rows.push_back(measure(folder, preset, options.steps));
+  }
+  if (!known) throw scenes::InputError(options.scene + ": unknown scene; see `halsted scenes`");
+  if (options.json) std::printf("%s\n", rows.dump(2).c_str());
+  else printTable(rows);
+  return 0;
+}
+
+}  // namespace halsted::app

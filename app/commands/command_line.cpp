@@ -1,0 +1,141 @@
+/// The command line: what there is, what it means, with examples. Everything else is in the commands.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "app/commands/commands.h"
+#include "app/errors.h"
+#include "app/version.h"
+
+namespace halsted::app {
+namespace {
+
+const char* const kExamples =
+    "Examples:\n"
+    "  halsted scenes                                             what there is to train\n"
+    "  halsted train purse_string                                 in a window: mouse and keys are the right hand (F1: help)\n"
+    "  halsted train purse_string --left script:scenes/purse_string/expert.toml --record me.halsted\n"
+    "  halsted replay scenes/purse_string/expert.toml --record run.halsted --report run.html\n"
+    "  halsted replay run.halsted --verify                        the same bits, step by step\n"
+    "  halsted capture run.halsted --video run.mp4 --out frames --at 5,20,60\n"
+    "  halsted bench --json                                       what a step costs here\n"
+    "Exit codes: 0 done, 1 a check failed, 2 bad usage or input, 3 a device or system fault.";
+
+struct CommandLine {
+  PlayOptions play;
+  FrameOptions frames;
+  BenchOptions bench;
+  TrainOptions train;
+  bool scenesJson = false;
+  std::string size;
+};
+
+void parseSize(const std::string& text, int& width, int& height) {
+  constexpr int kLargest = 8192;               // pixels
+  int w = 0, h = 0;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%c", &w, &h, &rest) != 2 || w < 16 || h < 16 || w > kLargest || h > kLargest)
+    throw scenes::InputError("--size " + text + ": WIDTHxHEIGHT in pixels, 16 to 8192, like 1280x720");
+  width = w;
+  height = h;
+}
+
+void addPlayOptions(CLI::App& command, PlayOptions& play) {
+  command.add_option("FILE", play.file, "an expert script (.toml) or a recorded session (.halsted)")->required();
+  command.add_option("--set", play.overrides, "key=value: override a parameter of the scene; may be repeated")->allow_extra_args(false);
+  command.add_flag("--verify", play.verify, "check the hash of every state against the recording; exit code 1 when one differs");
+  command.add_option("--record", play.record, "write a session file");
+  command.add_option("--report", play.report, "write an HTML report: procedure, metrics, forces");
+  command.add_flag("--json", play.json, "print the outcome as JSON");
+  command.add_flag("--require-complete", play.requireComplete, "exit code 1 unless the whole procedure was completed");
+}
+
+void addReplay(CLI::App& app, CommandLine& line) {
+  CLI::App* command = app.add_subcommand("replay", "run a script or a recorded session in lockstep, as fast as the machine allows");
+  addPlayOptions(*command, line.play);
+  command->add_flag("--realtime", line.play.realtime, "no faster than real time");
+  command->footer("Example: halsted replay scenes/purse_string/expert.toml --set tissue.youngs_modulus=60e3 --json");
+}
+
+void addCapture(CLI::App& app, CommandLine& line) {
+  CLI::App* command = app.add_subcommand("capture", "the same as replay, with pictures: PNG frames and a video");
+  addPlayOptions(*command, line.play);
+  command->add_option("--out", line.frames.folder, "folder for PNG frames");
+  command->add_option("--video", line.frames.video, "video file (.mp4), needs ffmpeg");
+  command->add_option("--fps", line.frames.fps, "frames per second of simulated time")->capture_default_str()->check(CLI::Range(0.1, 1000.0));
+  command->add_option("--size", line.size, "WIDTHxHEIGHT in pixels (default 1280x720)");
+  command->add_option("--at", line.frames.times, "PNG frames at these times only, in seconds: 5,20,60")->delimiter(',')->check(CLI::NonNegativeNumber);
+  command->footer("Example: halsted capture run.halsted --video run.mp4 --fps 30 --size 1280x720 --out frames --at 5,20,60");
+}
+
+void addTrain(CLI::App& app, CommandLine& line) {
+  TrainOptions& train = line.train;
+  CLI::App* command = app.add_subcommand("train", "a session in real time, two hands, in a window");
+  command->add_option("SCENE", train.scene, "a scene's name (see `halsted scenes`) or its folder")->required();
+  command->add_option("--left", train.left, "device of the left hand: virtual (holds still), mouse, script:FILE (default virtual)");
+  command->add_option("--right", train.right, "device of the right hand (default mouse; virtual with --headless)");
+  command->add_option("--set", train.overrides, "key=value: override a parameter of the scene; may be repeated")->allow_extra_args(false);
+  command->add_option("--trainee", train.trainee, "name kept in the recording");
+  command->add_option("--record", train.record, "write a session file");
+  command->add_flag("--headless", train.headless, "the same threads without a window");
+  command->add_option("--seconds", train.seconds, "end after this much wall-clock time")->check(CLI::PositiveNumber);
+  command->add_option("--size", line.size, "WIDTHxHEIGHT in pixels (default 1280x720)");
+  command->add_flag("--json", train.json, "print the outcome as JSON");
+  command->add_flag("--verbose", train.verbose, "log events and skipped ticks");
+  command->footer("In the window: mouse moves the hand, wheel nearer and farther, right drag turns, left button or space closes the\n"
+                  "jaws, F1 help, Esc ends.\n"
+                  "Example: halsted train purse_string --headless --seconds 10 --json");
+}
+
+void addBench(CLI::App& app, CommandLine& line) {
+  CLI::App* command = app.add_subcommand("bench", "what a physics step and a frame cost here, beside the published figures");
+  command->add_option("--scene", line.bench.scene, "one scene only");
+  command->add_option("--steps", line.bench.steps, "steps to measure")->capture_default_str()->check(CLI::Range(1, 100'000'000));
+  command->add_option("--preset", line.bench.preset, "default or paper; both when not given")->check(CLI::IsMember({"default", "paper"}));
+  command->add_flag("--json", line.bench.json, "print a JSON list");
+}
+
+int dispatch(const CLI::App& app, CommandLine& line) {
+  if (!line.size.empty()) {
+    parseSize(line.size, line.frames.width, line.frames.height);
+    parseSize(line.size, line.train.width, line.train.height);
+  }
+  if (app.got_subcommand("scenes")) return listScenes(line.scenesJson);
+  if (app.got_subcommand("replay")) return replay(line.play);
+  if (app.got_subcommand("capture")) return capture(line.play, line.frames);
+  if (app.got_subcommand("bench")) return bench(line.bench);
+  return train(line.train);
+}
+
+int report(const std::exception& error, int code) {
+  std::fprintf(stderr, "halsted: %s\n", error.what());
+  return code;
+}
+
+}  // namespace
+
+int runCommandLine(int argc, char** argv) {
+  CommandLine line;
+  CLI::App app("Halsted: a surgical simulator for two hands that feel what they touch.");
+  app.footer(kExamples);
+  app.set_version_flag("--version", kVersionText);
+  app.require_subcommand(1);
+  app.add_subcommand("scenes", "list the scenes")->add_flag("--json", line.scenesJson, "print a JSON list");
+  addTrain(app, line);
+  addReplay(app, line);
+  addCapture(app, line);
+  addBench(app, line);
+  try {
+    app.parse(argc, argv);
+    return dispatch(app, line);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDone : kBadInput;
+  } catch (const scenes::InputError& error) {
+    return report(error, kBadInput);
+  } catch (const SystemFault& error) {
+    return report(error, kSystemFault);
+  } catch (const std::exception& error) {
+    return report(error, kSystemFault);
+  }
+}
+
+}  // namespace halsted::app

@@ -1,0 +1,37 @@
+#pragma once
+/// One function per command of DESIGN 5. Each returns the exit code and throws scenes::InputError (2) or SystemFault (3).
+#include <array>
+#include <string>
+#include <vector>
+
+#include "app/frame_writer.h"
+#include "app/playback.h"
+
+namespace halsted::app {
+
+struct BenchOptions {
+  std::string scene, preset;                   // empty: all of them
+  int steps = 5000;
+  bool json = false;
+};
+
+struct TrainOptions {
+  std::string scene;
+  std::vector<std::string> overrides;          // --set
+  std::string left, right;                     // devices; empty: the default
+  std::string trainee, record;
+  bool headless = false, json = false, verbose = false;
+  double seconds = 0.0;                        // [s] 0: until the user ends it
+  int width = 1280, height = 720;              // pixels
+};
+
+int listScenes(bool json);
+int replay(const PlayOptions&);
+int capture(const PlayOptions&, const FrameOptions&);
+int bench(const BenchOptions&);
+int train(const TrainOptions&);
+
+/// Parses the command line, runs the command, turns exceptions into one line on standard error.
+int runCommandLine(int argc, char** argv);
+
+}  // namespace halsted::app

@@ -1,0 +1,31 @@
+/// `halsted scenes`: what there is to train, with its size.
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/commands.h"
+#include "app/scenario.h"
+
+namespace halsted::app {
+
+int listScenes(bool json) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const std::string& folder : scenes::sceneFolders()) {
+    const scenes::SceneFile scene = scenes::readScene(folder, {});
+    const TetMesh mesh = scenes::buildAnatomy(scene);
+    list.push_back({{"name", scene.name}, {"title", scene.title}, {"technique", scene.technique}, {"particles", mesh.vertices.size()},
+                    {"tets", mesh.tets.size()}, {"thread_nodes", scene.params.thread.nodes}});
+  }
+  if (json) {
+    std::printf("%s\n", list.dump(2).c_str());
+    return 0;
+  }
+  if (list.empty()) std::printf("No scenes in %s.\n", scenes::scenesDirectory().c_str());
+  for (const auto& scene : list)
+    std::printf("%-16s %s\n%-16s %s\n%-16s %d particles, %d tets, %d thread nodes\n", scene["name"].get<std::string>().c_str(),
+                scene["title"].get<std::string>().c_str(), "", scene["technique"].get<std::string>().c_str(), "",
+                scene["particles"].get<int>(), scene["tets"].get<int>(), scene["thread_nodes"].get<int>());
+  return 0;
+}
+
+}  // namespace halsted::app

@@ -1,0 +1,143 @@
+/// `halsted train`: a session in real time, in a window or without one. Main thread: options, window, start and stop.
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include "app/commands/commands.h"
+#include "app/errors.h"
+#include "app/progress.h"
+#include "app/threads/live_session.h"
+#include "app/window.h"
+
+namespace halsted::app {
+namespace {
+
+std::atomic<bool> interrupted{false};          // set by the signal handler, read by the main thread
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void listenToSignals() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { interrupted.store(true); };
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+void setUpLog(bool verbose) {
+  auto log = spdlog::stderr_color_st("halsted");   // single-threaded sink: only the recorder thread logs
+  log->set_pattern("%H:%M:%S.%e %^%l%$ %v");
+  log->set_level(verbose ? spdlog::level::debug : spdlog::level::warn);
+  spdlog::set_default_logger(log);
+}
+
+bool timeIsUp(const TrainOptions& options, const Stopwatch& watch) {
+  return options.seconds > 0.0 && watch.seconds() >= options.seconds;
+}
+
+/// Every hand follows a script, and the scripts have ended.
+bool nothingLeft(const Scenario& scenario, const LiveSession& session) {
+  const bool human = scenario.devices[kLeft].mover == Mover::kMouse || scenario.devices[kRight].mover == Mover::kMouse;
+  return session.scriptsEnded() && !human;
+}
+
+void waitHeadless(const TrainOptions& options, const Scenario& scenario, LiveSession& session) {
+  const Stopwatch watch;
+  Progress progress;
+  while (session.running() && !interrupted.load() && !timeIsUp(options, watch) && !nothingLeft(scenario, session)) {
+    sleepUntil(monotonicNow() + 20'000'000);
+    progress.show(watch.seconds(), options.scene + " (Ctrl-C ends)");
+  }
+}
+
+void runWindow(const TrainOptions& options, const Scenario& scenario, LiveSession& session, Window& window) {
+  const Stopwatch watch;
+  while (session.running() && !window.closed() && !interrupted.load() && !timeIsUp(options, watch)) {
+    window.poll();
+    session.links().mouseTarget.back() = window.target();
+    session.links().mouseTarget.publish();
+    session.links().helpVisible.store(window.helpVisible());
+    if (session.links().frame.acquire()) window.show(session.links().frame.front());
+    if (nothingLeft(scenario, session)) break;
+  }
+}
+
+nlohmann::ordered_json lateness(const Durations& durations) {
+  const Percentiles p = durations.percentiles(1e6);
+  return {{"p50", p.p50}, {"p99", p.p99}, {"max", p.max}};
+}
+
+double rate(std::uint64_t count, double seconds) { return seconds > 0.0 ? static_cast<double>(count) / seconds : 0.0; }   // [s] -> [Hz]
+
+/// The members that `train --json` adds to those of `replay --json`.
+std::string liveMembers(const LiveOutcome& outcome) {
+  nlohmann::ordered_json json;
+  const Percentiles frame = outcome.render.frameTimes.percentiles(1e3);
+  json["haptic"] = {{"rate_hz", rate(outcome.haptic.ticks, outcome.haptic.seconds)},
+                    {"lateness_us", lateness(outcome.haptic.lateness)},
+                    {"bare_lateness_us", lateness(outcome.bareLateness)},
+                    {"max_force_n", outcome.haptic.maxForce},
+                    {"stale_ticks", outcome.haptic.staleTicks},
+                    {"skipped_periods", outcome.haptic.skippedPeriods},
+                    {"page_faults", outcome.haptic.usage.pageFaults},
+                    {"realtime_priority", outcome.haptic.realtime}};
+  json["physics"] = {{"rate_hz", rate(outcome.physics.steps, outcome.physics.seconds)}, {"late_steps", outcome.physics.lateSteps}};
+  json["render"] = {{"fps", rate(outcome.render.frames, outcome.render.seconds)}, {"frame_ms", {{"p50", frame.p50}, {"p99", frame.p99}}}};
+  json["recorder"] = {{"steps", outcome.recorder.stepsRecorded}, {"dropped_records", outcome.recorder.dropped}};
+  const std::string text = json.dump();
+  return text.substr(1, text.size() - 2);
+}
+
+std::string liveText(const LiveOutcome& outcome) {
+  const Percentiles late = outcome.haptic.lateness.percentiles(1e6), bare = outcome.bareLateness.percentiles(1e6);
+  std::string text = "  haptics " + number("%.1f Hz", rate(outcome.haptic.ticks, outcome.haptic.seconds)) + ", lateness p50 " +
+                     number("%.1f us", late.p50) + ", p99 " + number("%.1f us", late.p99) + ", max " + number("%.0f us", late.max) +
+                     ", stale ticks " + std::to_string(outcome.haptic.staleTicks) + ", largest force " + number("%.2f N", outcome.haptic.maxForce) + "\n";
+  if (outcome.bareLateness.count() > 0)
+    text += "  bare loop lateness p50 " + number("%.1f us", bare.p50) + ", p99 " + number("%.1f us", bare.p99) + ", max " +
+            number("%.0f us", bare.max) + "\n";
+  text += "  physics " + number("%.1f Hz", rate(outcome.physics.steps, outcome.physics.seconds)) + ", late steps " +
+          std::to_string(outcome.physics.lateSteps) + "; pictures " + number("%.1f Hz", rate(outcome.render.frames, outcome.render.seconds)) +
+          ", p50 " + number("%.1f ms", outcome.render.frameTimes.percentiles(1e3).p50) + "\n";
+  return text;
+}
+
+LiveOptions liveOptions(const TrainOptions& options) {
+  LiveOptions live;
+  live.record = options.record;
+  live.trainee = options.trainee;
+  live.render = {options.width, options.height, options.headless ? 30.0 : 60.0, !options.headless};
+  live.measureBareLoop = options.headless;
+  return live;
+}
+
+}  // namespace
+
+int train(const TrainOptions& options) {
+  const std::array<DeviceChoice, kHands> devices{
+      parseDevice("--left", options.left.empty() ? "virtual" : options.left),
+      parseDevice("--right", !options.right.empty() ? options.right : options.headless ? "virtual" : "mouse")};
+  const Scenario scenario = scenarioFromScene(options.scene, options.overrides, devices);
+  setUpLog(options.verbose);
+  std::unique_ptr<Window> window;
+  const int moved = devices[kLeft].mover == Mover::kMouse ? kLeft : kRight;
+  if (!options.headless)
+    window = std::make_unique<Window>("Halsted: " + scenario.scene.title, options.width, options.height, scenario.start[moved], scenario.scene.camera);
+  LiveSession session(scenario, liveOptions(options));
+  listenToSignals();
+  const Stopwatch watch;
+  session.start();
+  if (window) runWindow(options, scenario, session, *window);
+  else waitHeadless(options, scenario, session);
+  const LiveOutcome& outcome = session.stop();
+
+  const RunSummary summary = summariseRun(scenario.scene.name, scenario.scene.title, scenario.model, session.state(),
+                                          outcome.physics.stepTimes, watch.seconds());
+  std::fputs((options.json ? jsonOf(summary, liveMembers(outcome)) : textOf(summary) + liveText(outcome)).c_str(), stdout);
+  if (!outcome.physics.failure.empty()) std::fprintf(stderr, "halsted: script: %s\n", outcome.physics.failure.c_str());
+  if (!outcome.fault.empty()) throw SystemFault(outcome.fault);
+  return kDone;
+}
+
+}  // namespace halsted::app

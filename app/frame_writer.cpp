@@ -1,0 +1,100 @@
+#include "app/frame_writer.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "app/errors.h"
+#include "app/render_scene.h"
+#include "app/run_summary.h"
+#include "render/png.h"
+#include "render/renderer.h"
+#include "render/video.h"
+
+namespace fs = std::filesystem;
+
+namespace halsted::app {
+namespace {
+
+constexpr double kMessageTime = 2.0;           // [s] an event stays on screen
+
+}  // namespace
+
+struct FrameWriter::Parts {
+  RenderScene scene;
+  render::Renderer renderer;
+  RenderSnapshot snapshot;
+  std::unique_ptr<render::VideoWriter> video;
+
+  Parts(const Scenario& scenario, int width, int height) : scene(renderScene(scenario)), renderer(scene, width, height) {
+    prepareSnapshot(scenario.model, snapshot);
+  }
+};
+
+FrameWriter::FrameWriter(const FrameOptions& options, const Scenario& scenario) : options_(options) {
+  std::sort(options_.times.begin(), options_.times.end());
+  std::error_code error;
+  if (!options_.folder.empty()) fs::create_directories(options_.folder, error);
+  if (error) throw SystemFault(options_.folder + ": cannot make the folder: " + error.message());
+  try {
+    parts_ = std::make_unique<Parts>(scenario, options_.width, options_.height);
+    if (!options_.video.empty())
+      parts_->video = std::make_unique<render::VideoWriter>(options_.video, options_.width, options_.height, options_.fps);
+  } catch (const std::exception& reason) {
+    throw SystemFault(std::string("rendering: ") + reason.what());
+  }
+}
+
+FrameWriter::~FrameWriter() = default;
+
+void FrameWriter::see(const Lockstep& run) {
+  const StepOutput& output = run.output();
+  for (int i = 0; i < output.eventCount; ++i) {
+    message_ = number("%.1f s: ", run.time()) + name(output.events[i].kind);
+    messageUntil_ = run.time() + kMessageTime;
+  }
+  const double late = run.time() + 1e-9;       // [s]
+  const bool frameDue = late >= static_cast<double>(videoFrames_) / options_.fps;
+  const bool timeDue = nextTime_ < options_.times.size() && late >= options_.times[nextTime_];
+  const bool toVideo = frameDue && parts_->video, everyFrame = frameDue && options_.times.empty();
+  const bool toFile = !options_.folder.empty() && (timeDue || everyFrame);
+  if (frameDue) ++videoFrames_;
+  while (nextTime_ < options_.times.size() && late >= options_.times[nextTime_]) ++nextTime_;
+  if (toVideo || toFile) drawFrame(run, toVideo, toFile);
+}
+
+void FrameWriter::drawFrame(const Lockstep& run, bool toVideo, bool toFile) {
+  if (run.time() > messageUntil_) message_.clear();
+  fillSnapshot(run.scenario().model, run.state(), parts_->snapshot);
+  render::HudInput hud;
+  hud.message = message_;
+  for (int hand = 0; hand < kHands; ++hand) hud.haptic.force[hand] = run.hands()[hand].output.force;
+  try {
+    const render::Frame& frame = parts_->renderer.draw(parts_->snapshot, hud, parts_->scene.camera);
+    if (toVideo) parts_->video->add(frame);
+    if (!toFile) return;
+    lastFile_ = (fs::path(options_.folder) / number("frame_%08.3f.png", run.time())).string();
+    render::writePng(lastFile_, frame);
+    ++files_;
+  } catch (const std::exception& reason) {
+    throw SystemFault(reason.what());
+  }
+}
+
+std::string FrameWriter::finish() {
+  std::string text;
+  if (parts_->video) {
+    try {
+      parts_->video->finish();
+    } catch (const std::exception& reason) {
+      throw SystemFault(reason.what());
+    }
+    text += "  video " + options_.video + ": " + std::to_string(videoFrames_) + " frames at " + number("%g Hz", options_.fps) + "\n";
+  }
+  if (!options_.folder.empty()) text += "  " + std::to_string(files_) + " PNG frames in " + options_.folder + (files_ ? ", last " + lastFile_ : "") + "\n";
+  if (nextTime_ < options_.times.size())
+    text += "  " + std::to_string(options_.times.size() - nextTime_) + " of the times lie after the end of the run\n";
+  return text;
+}
+
+}  // namespace halsted::app

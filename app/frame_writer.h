@@ -1,0 +1,41 @@
+#pragma once
+/// Draws a run in lockstep and writes PNG frames and a video of it. One thread.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/lockstep.h"
+
+namespace halsted::app {
+
+struct FrameOptions {
+  std::string folder;                          // PNG files go here; empty: none
+  std::string video;                           // video file; empty: none
+  double fps = 30.0;                           // [Hz] of simulated time
+  int width = 1280, height = 720;              // pixels
+  std::vector<double> times;                   // [s] PNG frames at these times only; empty: all of them
+};
+
+class FrameWriter {
+ public:
+  FrameWriter(const FrameOptions&, const Scenario&);             // throws scenes::InputError, SystemFault
+  ~FrameWriter();
+
+  /// After each step: draws what has become due.
+  void see(const Lockstep&);
+  /// Completes the video; the outcome as text.
+  std::string finish();
+
+ private:
+  void drawFrame(const Lockstep&, bool toVideo, bool toFile);
+
+  struct Parts;
+  FrameOptions options_;
+  std::unique_ptr<Parts> parts_;
+  std::uint64_t videoFrames_ = 0, files_ = 0;
+  std::size_t nextTime_ = 0;
+  std::string lastFile_, message_;
+  double messageUntil_ = 0.0;                  // [s]
+};
+
+}  // namespace halsted::app

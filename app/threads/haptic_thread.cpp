@@ -1,0 +1,119 @@
+#include "app/threads/haptic_thread.h"
+
+#include <algorithm>
+
+namespace halsted::app {
+namespace {
+
+constexpr Nanoseconds kPeriod = 1'000'000;     // [ns] kHapticPeriod
+
+/// Absolute schedule: `next += period`. A late tick skips whole periods and counts them.
+struct Schedule {
+  Nanoseconds next;
+  std::uint64_t tick = 0, skipped = 0;
+
+  double wait() noexcept {                     // -> [s] lateness
+    sleepUntil(next);
+    return static_cast<double>(monotonicNow() - next) * 1e-9;
+  }
+  std::uint64_t finish() noexcept {            // periods skipped after this tick
+    next += kPeriod;
+    ++tick;
+    const Nanoseconds behind = monotonicNow() - next;
+    const std::uint64_t missed = behind > 0 ? static_cast<std::uint64_t>(behind / kPeriod) : 0;
+    next += static_cast<Nanoseconds>(missed) * kPeriod;
+    tick += missed;
+    skipped += missed;
+    return missed;
+  }
+};
+
+const HandTarget kStill{};                      // not valid: the hand holds still
+
+const HandTarget& targetOf(Mover mover, int hand, const Links& links) noexcept {
+  if (mover == Mover::kScript) return links.scriptTargets.front()[hand];
+  return mover == Mover::kMouse ? links.mouseTarget.front() : kStill;
+}
+
+/// A fault is reported when it begins, not at every tick that it lasts.
+void reportFaults(const Hand& hand, int index, std::uint64_t tick, std::uint32_t before, Links& links) noexcept {
+  const std::uint32_t fresh = hand.output.faults & ~before & haptics::kFaultCutMask;
+  if (fresh == 0) return;
+  links.hapticNotices.push({NoticeKind::kHandFault, tick, static_cast<std::int64_t>(fresh) << 8 | index});
+  if (!(fresh & haptics::kFaultDeviceGone)) return;
+  links.hapticNotices.push({NoticeKind::kDeviceGone, tick, index});
+  links.goneHand.store(index);
+  links.stop.store(true);
+}
+
+void tickHands(Hands& hands, const std::array<Mover, kHands>& movers, std::uint64_t tick, Links& links, HapticOutcome& outcome) noexcept {
+  links.contacts.acquire();
+  links.scriptTargets.acquire();
+  links.mouseTarget.acquire();
+  bool stale = false;
+  for (int i = 0; i < kHands; ++i) {
+    Hand& hand = hands[i];
+    const std::uint32_t before = hand.output.faults;
+    haptics::tick(*hand.device, hand.config, links.contacts.front()[i], targetOf(movers[i], i, links), tick, hand.state, hand.output);
+    links.samples.back()[i] = hand.output.sample;
+    outcome.maxForce = std::max(outcome.maxForce, hand.output.force.norm());
+    stale = stale || hand.output.stale;
+    reportFaults(hand, i, tick, before, links);
+  }
+  links.samples.publish();
+  outcome.staleTicks += stale;
+}
+
+void report(const Hands& hands, const Schedule& schedule, double lateness, Links& links, HapticOutcome& outcome) noexcept {  // [s]
+  HapticRecord record;
+  record.tick = schedule.tick;
+  record.latenessMicroseconds = static_cast<float>(lateness * 1e6);
+  HapticStatus& status = links.hapticStatus.back();
+  for (int i = 0; i < kHands; ++i) {
+    const Vec3& force = hands[i].output.force;
+    record.force[i] = {static_cast<float>(force.x()), static_cast<float>(force.y()), static_cast<float>(force.z())};
+    record.faults[i] = status.faultCode[i] = hands[i].output.faults;
+    status.force[i] = force;
+  }
+  status.tick = schedule.tick;
+  status.skippedPeriods = schedule.skipped;
+  status.staleTicks = outcome.staleTicks;
+  links.hapticStatus.publish();
+  links.hapticRecords.push(record);
+}
+
+}  // namespace
+
+void runHaptic(Hands& hands, const std::array<Mover, kHands>& movers, Links& links, HapticOutcome& outcome) noexcept {
+  outcome.realtime = becomeRealtime(kHapticPriority);
+  if (!outcome.realtime) links.hapticNotices.push({NoticeKind::kNoRealtimePriority, 0, 0});
+  touchStack();
+  const Nanoseconds start = monotonicNow();
+  Schedule schedule{start + kPeriod};
+  const ThreadUsage before = threadUsage();
+  while (!links.stop.load(std::memory_order_relaxed)) {
+    const double lateness = schedule.wait();   // [s]
+    tickHands(hands, movers, schedule.tick, links, outcome);
+    outcome.lateness.add(lateness);
+    ++outcome.ticks;
+    report(hands, schedule, lateness, links, outcome);
+    const std::uint64_t missed = schedule.finish();
+    if (missed > 0) links.hapticNotices.push({NoticeKind::kSkippedPeriods, schedule.tick, static_cast<std::int64_t>(missed)});
+  }
+  const ThreadUsage after = threadUsage();
+  outcome.usage = {after.pageFaults - before.pageFaults, after.voluntarySwitches - before.voluntarySwitches};
+  outcome.skippedPeriods = schedule.skipped;
+  outcome.seconds = static_cast<double>(monotonicNow() - start) * 1e-9;
+}
+
+void runBareLoop(const std::atomic<bool>& stop, Durations& lateness) noexcept {
+  becomeRealtime(kHapticPriority);
+  touchStack();
+  Schedule schedule{monotonicNow() + kPeriod + kPeriod / 2};     // between the ticks of the haptic thread
+  while (!stop.load(std::memory_order_relaxed)) {
+    lateness.add(schedule.wait());
+    schedule.finish();
+  }
+}
+
+}  // namespace halsted::app

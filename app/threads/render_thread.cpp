@@ -1,0 +1,101 @@
+#include "app/threads/render_thread.h"
+
+#include <exception>
+
+#include "app/threads/realtime.h"
+#include "render/renderer.h"
+
+namespace halsted::app {
+namespace {
+
+const char* const kHelp = "mouse: move  wheel: nearer, farther  right drag: turn  left button or space: close the jaws  Esc: end";
+constexpr double kMessageTime = 3.0;           // [s] an event stays on screen
+
+/// Rates over the last half second, for the panel.
+struct RateMeter {
+  Nanoseconds since = monotonicNow();
+  std::uint64_t frames = 0, firstTick = 0, firstLate = 0;
+  double framesPerSecond = 0.0, hapticRate = 0.0;   // [Hz]
+  bool late = false;
+
+  void frame(const HapticStatus& haptic, const PhysicsStatus& physics) {
+    ++frames;
+    const double seconds = static_cast<double>(monotonicNow() - since) * 1e-9;   // [s]
+    if (seconds < 0.5) return;
+    framesPerSecond = static_cast<double>(frames) / seconds;
+    hapticRate = static_cast<double>(haptic.tick - firstTick) / seconds;
+    late = static_cast<double>(physics.lateSteps - firstLate) > 0.01 * seconds * 1e3;
+    *this = {monotonicNow(), 0, haptic.tick, physics.lateSteps, framesPerSecond, hapticRate, late};
+  }
+};
+
+void readEvents(Links& links, double dt, std::string& message, Nanoseconds& until) {   // [s]
+  Event event;
+  while (links.shownEvents.pop(event)) {
+    char text[96];
+    std::snprintf(text, sizeof text, "%.1f s: %s", static_cast<double>(event.step) * dt, name(event.kind));
+    message = text;
+    until = monotonicNow() + static_cast<Nanoseconds>(kMessageTime * 1e9);
+  }
+  if (monotonicNow() > until) message.clear();
+}
+
+/// What the panels show, gathered before each frame.
+struct Panel {
+  render::HudInput hud;
+  RateMeter rates;
+  Nanoseconds messageUntil = 0;
+
+  void update(Links& links, double dt) {       // [s]
+    links.hapticStatus.acquire();
+    links.physicsStatus.acquire();
+    hud.live = true;
+    hud.stale = links.hapticStatus.front().staleTicks != hud.haptic.staleTicks;
+    hud.haptic = links.hapticStatus.front();
+    hud.physics = links.physicsStatus.front();
+    rates.frame(hud.haptic, hud.physics);
+    hud.framesPerSecond = rates.framesPerSecond;
+    hud.hapticRate = rates.hapticRate;
+    hud.late = rates.late;
+    readEvents(links, dt, hud.message, messageUntil);
+    if (links.helpVisible.load()) hud.message = kHelp;
+  }
+};
+
+void drawFrames(const RenderScene& scene, const RenderOptions& options, double dt, Links& links, RenderOutcome& outcome) {   // [s]
+  render::Renderer renderer(scene, options.width, options.height);
+  const auto period = static_cast<Nanoseconds>(1e9 / options.fps);
+  const Nanoseconds start = monotonicNow();
+  Nanoseconds next = start;
+  Panel panel;
+  while (!links.stop.load(std::memory_order_relaxed)) {
+    sleepUntil(next);
+    const Nanoseconds begin = monotonicNow();
+    links.snapshot.acquire();
+    panel.update(links, dt);
+    const render::Frame& frame = renderer.draw(links.snapshot.front(), panel.hud, scene.camera);
+    if (options.toWindow) {
+      links.frame.back() = frame;
+      links.frame.publish();
+    }
+    const Nanoseconds end = monotonicNow();
+    outcome.frameTimes.add(static_cast<double>(end - begin) * 1e-9);
+    ++outcome.frames;
+    next = std::max(next + period, end);       // a slow frame delays the next one, frames are not made up for
+  }
+  outcome.seconds = static_cast<double>(monotonicNow() - start) * 1e-9;
+}
+
+}  // namespace
+
+void runRender(const RenderScene& scene, const RenderOptions& options, double dt, Links& links, RenderOutcome& outcome) noexcept {   // [s]
+  becomeBackground();
+  try {
+    drawFrames(scene, options, dt, links, outcome);
+  } catch (const std::exception& error) {
+    outcome.failure = error.what();
+    links.stop.store(true);
+  }
+}
+
+}  // namespace halsted::app

@@ -1,0 +1,26 @@
+#pragma once
+/// Draws the newest snapshot at the wanted rate and hands the frame to the window. Runs at low priority: forces come first.
+#include <string>
+
+#include "app/threads/links.h"
+#include "app/timing.h"
+
+namespace halsted::app {
+
+struct RenderOptions {
+  int width = 1280, height = 720;              // pixels
+  double fps = 60.0;                           // [Hz] at most
+  bool toWindow = false;                       // publish frames
+};
+
+struct RenderOutcome {
+  std::uint64_t frames = 0;
+  double seconds = 0.0;                        // [s] from first to last frame
+  Durations frameTimes{50e-6, 20'000};
+  std::string failure;                         // no OpenGL, ...; empty: none
+};
+
+/// Runs until `links.stop`. Render thread. `dt` [s] is that of physics.
+void runRender(const RenderScene&, const RenderOptions&, double dt, Links&, RenderOutcome&) noexcept;
+
+}  // namespace halsted::app
