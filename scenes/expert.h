@@ -14,12 +14,13 @@
 namespace halsted::scenes {
 
 struct ExpertAction {
-  std::string kind;                            // "bite", "pull_through", "tighten", ... see expert.cpp
-  double angleDegrees = 0.0;                   // [deg] round the opening, 0 at +x, counter-clockwise seen by the surgeon
-  double depth = 0.0;                          // [m] from the rim
-  double width = 0.0;                          // [m] entry to exit
-  double tension = 0.0;                        // [N]
-  double seconds = 0.0;                        // [s] limit of the action
+  std::string kind;                            // "bite", "take_tails", "tighten", "hold": see scenes/expert_run.cpp
+  double angleDegrees = 0.0;                   // angle_deg [deg] round the opening, 0 at +x, counter-clockwise seen by the surgeon
+  double depth = 5e-3;                         // depth_mm [m] entry from the rim
+  double width = 6e-3;                         // width_mm [m] entry to exit, clockwise along the rim
+  double pull = 0.03;                          // pull_mm [m] of thread drawn through after the bite
+  double tension = 1.0;                        // tension_n [N] at which tightening stops
+  double seconds = 30.0;                       // limit_s [s] of the action; of a hold, its length
   int line = 0;                                // in the file, for messages
 };
 

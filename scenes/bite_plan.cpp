@@ -1,0 +1,108 @@
+#include "scenes/bite_plan.h"
+
+#include <cmath>
+
+#include "scenes/portable_math.h"
+#include "sim/contact/surface.h"
+#include "sim/strand/strand_model.h"
+
+namespace halsted::scenes {
+namespace {
+
+constexpr double kDip = 0.5e-3;                // [m] the circle is set this much deeper than entry and exit ask: the wall dimples
+constexpr double kClockwiseStep = 0.25;        // [deg] when walking along the rim to the exit
+
+/// Arc sine by Newton on the portable sine; |x| < 1.
+double arcSine(double x) {
+  double a = x;                                // [rad]
+  for (int i = 0; i < 30; ++i) {
+    const double c = cosine(a);
+    if (c < 1e-6) break;
+    a -= (sine(a) - x) / c;
+  }
+  return a;
+}
+
+struct Hit { TissuePlace place; double reach = -1.0; };   // [m] from the axis of the opening
+
+/// The line from the opening's axis outward through one triangle.
+void intersect(const Model& m, int triangle, const Vec3& from, const Vec3& direction, Hit& best) {
+  const auto& v = m.surface.triangles[triangle];
+  const Vec3 &a = m.mesh.vertices[v[0]], &b = m.mesh.vertices[v[1]], &c = m.mesh.vertices[v[2]];
+  const Vec3 e1 = b - a, e2 = c - a, p = direction.cross(e2);
+  const double det = e1.dot(p);
+  if (std::fabs(det) < 1e-18) return;
+  const Vec3 s = from - a, q = s.cross(e1);
+  const double u = s.dot(p) / det, w = direction.dot(q) / det, reach = e2.dot(q) / det;
+  constexpr double kSeam = -1e-9;              // [1] an edge belongs to both its triangles
+  if (u < kSeam || w < kSeam || u + w > 1.0 - kSeam || reach <= best.reach) return;
+  best = {{triangle, {1.0 - u - w, u, w}}, reach};
+}
+
+}  // namespace
+
+TissuePlace placeOnWall(const Model& m, double angleDegrees, double depth) {
+  const double angle = angleDegrees * kPi / 180.0;
+  const Vec3 direction(cosine(angle), sine(angle), 0.0), from(0.0, 0.0, -depth);
+  Hit best;
+  for (std::size_t f = 0; f < m.surface.triangles.size(); ++f)
+    if (m.mesh.triangleLayer[f] == 0) intersect(m, static_cast<int>(f), from, direction, best);
+  return best.place;
+}
+
+Vec3 positionOf(const Model& m, const State& s, const TissuePlace& p) { return pointOn(m.surface, s.tissue.position, p.triangle, p.weight); }
+
+Vec3 normalOf(const Model& m, const State& s, const TissuePlace& p) {
+  const auto& v = m.surface.triangles[p.triangle];
+  const auto& x = s.tissue.position;
+  return (x[v[1]] - x[v[0]]).cross(x[v[2]] - x[v[0]]).normalized();
+}
+
+bool planPlaces(const Model& m, const ExpertAction& a, BitePlan& plan) {
+  if (a.width > 1.8 * m.strand.needle.radius) return false;
+  plan.entry = placeOnWall(m, a.angleDegrees, a.depth);
+  if (plan.entry.triangle < 0) return false;
+  const Vec3 start = pointOn(m.surface, m.mesh.vertices, plan.entry.triangle, plan.entry.weight);
+  for (double step = kClockwiseStep; step < 90.0; step += kClockwiseStep) {
+    plan.exit = placeOnWall(m, a.angleDegrees - step, a.depth);
+    if (plan.exit.triangle < 0) return false;
+    if ((pointOn(m.surface, m.mesh.vertices, plan.exit.triangle, plan.exit.weight) - start).norm() >= a.width) return true;
+  }
+  return false;
+}
+
+void planCircle(const Model& m, const State& s, double width, BitePlan& plan) {
+  const Vec3 entry = positionOf(m, s, plan.entry), exit = positionOf(m, s, plan.exit);
+  plan.along = (exit - entry).normalized();
+  Vec3 out = normalOf(m, s, plan.entry) + normalOf(m, s, plan.exit);
+  plan.out = (out - out.dot(plan.along) * plan.along).normalized();
+  plan.axis = plan.along.cross(plan.out);
+  const double r = m.strand.needle.radius, half = 0.5 * std::fmin(width, (exit - entry).norm());
+  plan.centre = 0.5 * (entry + exit) + (std::sqrt(r * r - half * half) - kDip) * plan.out;
+  plan.exitAngle = arcSine(half / r);
+  plan.entryAngle = -plan.exitAngle;
+}
+
+Pose needleOnCircle(const Model& m, const BitePlan& plan, double tipAngle, const Vec3& offset) {
+  // The tip lies at the end of the arc: rotate the circle so that it points where tipAngle says.
+  const Vec3 toTip = -cosine(tipAngle) * plan.out + sine(tipAngle) * plan.along;
+  const Vec3 tipLocal = m.strand.arcPoint.back().normalized();
+  const Vec3 sideLocal = Vec3::UnitZ().cross(tipLocal), side = plan.axis.cross(toTip);
+  Mat3 world, local;
+  world << toTip, side, plan.axis;
+  local << tipLocal, sideLocal, Vec3::UnitZ();
+  return {plan.centre + offset, Quat(Mat3(world * local.transpose())).normalized()};
+}
+
+Pose compose(const Pose& a, const Pose& b) { return {a.apply(b.position), (a.orientation * b.orientation).normalized()}; }
+Pose inverse(const Pose& p) { return {-(p.orientation.conjugate() * p.position), p.orientation.conjugate()}; }
+
+Pose gripPose(const Model& m, const Pose& needle, double coordinate) {
+  Vec3 point, tangent;
+  arcAt(m.strand, coordinate, point, tangent);
+  Mat3 axes;
+  axes << point.normalized(), tangent, Vec3::UnitZ();
+  return compose(needle, {point, Quat(axes).normalized()});
+}
+
+}  // namespace halsted::scenes

@@ -1,0 +1,38 @@
+#pragma once
+/// Where a bite goes and how the needle must move for it: rotation of the arc about its own centre.
+#include "scenes/expert.h"
+
+namespace halsted::scenes {
+
+/// A place on the tissue that moves with it.
+struct TissuePlace {
+  int triangle = -1;
+  std::array<double, 3> weight{};              // [1]
+};
+
+/// Outermost wall at an angle round the opening and a depth behind the rim, in the anatomy at rest. triangle -1: there is none.
+TissuePlace placeOnWall(const Model&, double angleDegrees, double depth);   // [deg], [m]
+Vec3 positionOf(const Model&, const State&, const TissuePlace&);            // [m]
+Vec3 normalOf(const Model&, const State&, const TissuePlace&);              // [1] outward
+
+/// The circle that the needle runs along, fixed in space once the surgeon has looked.
+struct BitePlan {
+  TissuePlace entry, exit;
+  Vec3 centre = Vec3::Zero();                  // [m] of the arc
+  Vec3 along = Vec3::UnitX(), out = Vec3::UnitY(), axis = Vec3::UnitZ();    // [1] entry to exit; out of the wall; of the rotation
+  double entryAngle = 0.0, exitAngle = 0.0;    // [rad] of the tip on the circle, 0 at the deepest point
+};
+
+/// False when the wall has no such place or the needle is too small for the width.
+bool planPlaces(const Model&, const ExpertAction&, BitePlan&);
+void planCircle(const Model&, const State&, double width, BitePlan&);       // [m] looks at the tissue as it lies now
+
+/// Needle pose with its tip at an angle on the circle, the circle moved by `offset` [m].
+Pose needleOnCircle(const Model&, const BitePlan&, double tipAngle, const Vec3& offset);   // [rad]
+
+/// Tool pose that grips the needle at a strand coordinate square to it: shaft along the needle's axis, jaws opening radially.
+Pose gripPose(const Model&, const Pose& needle, double coordinate);
+Pose compose(const Pose& a, const Pose& b);
+Pose inverse(const Pose&);
+
+}  // namespace halsted::scenes

@@ -1,0 +1,103 @@
+#include <cmath>
+
+#include "scenes/expert_state.h"
+#include "scenes/scene.h"
+
+namespace halsted::scenes {
+namespace {
+
+constexpr double kTurn = 4.0;                  // [rad/s] wrist
+constexpr double kApproach = 0.02;             // [m] above what is to be picked up
+
+bool runAction(const Scene& scene, std::string& failure) {
+  if (scene.action.kind == "bite") return runBite(scene, failure);
+  if (scene.action.kind == "take_tails") return runTakeTails(scene, failure);
+  if (scene.action.kind == "tighten") return runTighten(scene, failure);
+  return scene.inPhase >= scene.action.seconds;                  // hold
+}
+
+void begin(const State& state, ExpertState& e) {
+  for (int h = 0; h < kHands; ++h) {
+    e.hand[h].command = state.tools[h].device;
+    e.hand[h].jaw = state.tools[h].jaw;
+  }
+  e.started = true;
+  e.actionStart = e.phaseStart = state.step;
+}
+
+void nextAction(const State& state, ExpertState& e) {
+  ++e.action;
+  e.phase = 0;
+  e.actionStart = e.phaseStart = state.step;
+}
+
+}  // namespace
+
+void ExpertStateDeleter::operator()(ExpertState* e) const { delete e; }
+
+ExpertStatePtr beginExpert(const ExpertScript& script, const Model& model) {
+  for (const ExpertAction& a : script.actions) {
+    BitePlan plan;
+    if (a.kind == "bite" && !planPlaces(model, a, plan)) {
+      throw InputError("line " + std::to_string(a.line) + ": action.do: impossible bite: the wall has no place at that angle and depth, "
+                       "or the needle is too small for that width");
+    }
+  }
+  return ExpertStatePtr(new ExpertState);
+}
+
+Pose parked(int hand) { return {Vec3(hand == kLeft ? -0.06 : 0.06, 0.02, 0.055), Quat::Identity()}; }
+
+std::array<Pose, kHands> startPoses(const Model&) { return {parked(kLeft), parked(kRight)}; }
+
+void nextPhase(const Scene& scene) {
+  ++scene.memory.phase;
+  scene.memory.phaseStart = scene.state.step;
+}
+
+Pose above(const Pose& tool, double distance) { return {tool.position + distance * (tool.orientation * Vec3::UnitZ()), tool.orientation}; }
+
+bool moveHand(const Scene& s, int hand, const Pose& goal, double speed) {
+  return travel(s.memory.hand[hand], goal, speed, kTurn, s.dt);
+}
+
+bool pickUp(const Scene& s, int hand, const Pose& grip, int first) {
+  HandMotion& h = s.memory.hand[hand];
+  const int phase = s.memory.phase - first;
+  constexpr double kSettle = 0.25, kClose = 0.3;                 // [s] the eye settles over the place; the jaws close
+  if (phase == 0) {
+    h.jaw = 1.0;
+    if (moveHand(s, hand, above(grip, kApproach), 0.10) && s.inPhase > kSettle) nextPhase(s);
+  } else if (phase == 1) {
+    const Pose& seen = s.state.tools[hand].proxy;
+    const bool near = moveHand(s, hand, grip, 0.04) && (seen.position - grip.position).norm() < 0.7e-3;
+    if (near || s.inPhase > 1.5) nextPhase(s);
+  } else {
+    h.jaw = 0.0;
+    return s.inPhase > kClose;
+  }
+  return false;
+}
+
+bool advanceExpert(const ExpertScript& script, const Model& model, const State& state, ExpertState& e,
+                   std::array<HandTarget, kHands>& targets, std::string& failure) {
+  if (!e.started) begin(state, e);
+  if (e.action < script.actions.size()) {
+    const ExpertAction& action = script.actions[e.action];
+    const double dt = model.params.dt;
+    const Scene scene{model, state, e, action, dt, static_cast<double>(state.step - e.phaseStart) * dt};
+    std::string why;
+    const bool finished = runAction(scene, why);
+    const bool late = static_cast<double>(state.step - e.actionStart) * dt > action.seconds && action.kind != "hold";
+    if (!why.empty() || (late && !finished)) {
+      failure = "line " + std::to_string(action.line) + ": " + action.kind + ": " + (why.empty() ? "ran out of time in phase " + std::to_string(e.phase) : why);
+      e.action = script.actions.size();
+    } else if (finished) {
+      nextAction(state, e);
+    }
+  }
+  for (int h = 0; h < kHands; ++h) targets[h] = look(e.hand[h], state.tools[h].proxy, model.params.dt);
+  return e.action < script.actions.size();
+}
+
+}  // namespace halsted::scenes

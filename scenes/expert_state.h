@@ -1,0 +1,46 @@
+#pragma once
+/// The memory of a scripted surgeon (scenes/expert.h). Private to scenes/.
+#include "scenes/bite_plan.h"
+#include "scenes/expert.h"
+#include "scenes/hand_motion.h"
+
+namespace halsted::scenes {
+
+struct ExpertState {
+  std::size_t action = 0;
+  int phase = 0;
+  std::uint64_t actionStart = 0, phaseStart = 0;   // [steps]
+  bool started = false;
+  std::array<HandMotion, kHands> hand;
+  BitePlan plan;
+  double tipAngle = 0.0;                       // [rad] commanded on the plan's circle
+  Vec3 pullFrom = Vec3::Zero(), pullAlong = Vec3::UnitZ();   // [m], [1]
+  double pulled = 0.0;                         // [m]
+  std::array<Pose, kHands> goal;               // of the phase under way
+};
+
+/// What a phase may look at, and its clock.
+struct Scene {
+  const Model& model;
+  const State& state;
+  ExpertState& memory;
+  const ExpertAction& action;
+  double dt = 0.0;                             // [s]
+  double inPhase = 0.0;                        // [s] since the phase began
+};
+
+/// One bite, from the approach to the thread drawn through. Each returns true when the action is finished.
+bool runBite(const Scene&, std::string& failure);
+bool runTakeTails(const Scene&, std::string& failure);
+bool runTighten(const Scene&, std::string& failure);
+
+void nextPhase(const Scene&);
+
+/// Reusable pieces.
+Pose above(const Pose& tool, double distance);                   // [m] back along the tool's own shaft
+bool moveHand(const Scene&, int hand, const Pose& goal, double speed);   // [m/s]
+/// Comes down on `grip` along the shaft with open jaws and closes them; true once closed. Uses phases `first` to `first + 2`.
+bool pickUp(const Scene&, int hand, const Pose& grip, int first);
+Pose parked(int hand);
+
+}  // namespace halsted::scenes
