@@ -1,0 +1,25 @@
+#include "sim/exchange.h"
+
+namespace halsted {
+
+const char* name(EventKind kind) {
+  switch (kind) {
+    case EventKind::kNeedleEntered: return "needle entered";
+    case EventKind::kNeedleExited: return "needle exited";
+    case EventKind::kBiteCompleted: return "bite completed";
+    case EventKind::kNeedleGrasped: return "needle grasped";
+    case EventKind::kNeedleReleased: return "needle released";
+    case EventKind::kThreadGrasped: return "thread grasped";
+    case EventKind::kThreadReleased: return "thread released";
+    case EventKind::kTissueGrasped: return "tissue grasped";
+    case EventKind::kTissueReleased: return "tissue released";
+    case EventKind::kChannelTorn: return "channel torn";
+    case EventKind::kChannelEmptied: return "channel emptied";
+    case EventKind::kStepDone: return "step done";
+    case EventKind::kFault: return "fault";
+    case EventKind::kProcedureCompleted: return "procedure completed";
+  }
+  return "unknown event";
+}
+
+}  // namespace halsted
