@@ -56,7 +56,7 @@ Vec3 limitThermal(const Vec3& force, const DeviceLimits&, const LimitConfig&, do
 double nextHeat(double heat, const Vec3& force, const DeviceLimits&, const LimitConfig&, double dt) noexcept;  // [1] [N] [s]
 
 /// All of them in order. `faults` holds what the loop already knows (bad reading, device gone, ...) and gains what happens here.
-/// Returns the force to write; a cut is zero in the same tick, whatever the rate limit says.
+/// `wanted` [N] in the device frame, `dt` [s]. Returns the force to write [N]; a cut is zero in the same tick, whatever the rate says.
 Vec3 limitForce(const Vec3& wanted, const DeviceLimits&, const LimitConfig&, double dt, LimitState&, std::uint32_t& faults) noexcept;
 
 }  // namespace halsted::haptics
