@@ -17,7 +17,7 @@ using FieldSlot = std::variant<double*, int*, std::uint64_t*, std::string*, Vec3
 struct SceneField {
   std::string key;                // dotted, as in --set
   FieldSlot slot;
-  double min = 0.0, max = 0.0;    // in `unit`; for a vector, of each component; for a string, max is its length
+  double min = 0.0, max = 0.0;    // [unit] for a vector, of each component; for a string, max is its length
   const char* unit = "";
 };
 

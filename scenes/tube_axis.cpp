@@ -1,6 +1,7 @@
 #include "scenes/tube_axis.h"
 
 #include <algorithm>
+#include <array>
 
 #include "scenes/input_text.h"
 #include "scenes/scene.h"
@@ -9,7 +10,7 @@ namespace halsted::scenes {
 namespace {
 
 constexpr int kRays = 36;                      // per section while centring
-constexpr int kCentringRounds = 4;
+constexpr int kCentringRounds = 6;
 constexpr double kCentringShare = 0.6;         // [1] of the rays that a section needs to move the line
 constexpr double kClosedShare = 0.94;          // [1] of the rays that a section needs to count as closed
 constexpr double kNarrowShare = 0.6;           // [1] of the median radius: beyond the ends of a closed tube it narrows to a cap
@@ -55,6 +56,32 @@ double medianRadius(const std::vector<MeasuredSection>& sections) {  // [m]
   return median(radii);
 }
 
+bool usable(const MeasuredSection& section, double radius) { return section.closed && section.radius > kNarrowShare * radius; }  // [m]
+
+/// First and last usable section; first > last when there is none.
+std::array<int, 2> usableRange(const std::vector<MeasuredSection>& sections, double radius) {  // [m]
+  int first = 0, last = static_cast<int>(sections.size()) - 1;
+  while (first <= last && !usable(sections[first], radius)) ++first;
+  while (last >= first && !usable(sections[last], radius)) --last;
+  return {first, last};
+}
+
+/// Cuts the line where the wall stops closing round it and goes on straight from there: the first guess starts at a point of the
+/// rim, not at its middle, so its ends lean.
+void straightenEnds(Centreline& line, const std::vector<MeasuredSection>& sections, double radius) {  // [m]
+  const auto [first, last] = usableRange(sections, radius);
+  const int reach = std::max(1, static_cast<int>(radius / line.spacing));
+  if (last - first < 2 * reach) return;
+  const Vec3 back = (line.points[first] - line.points[first + reach]) / reach;
+  const Vec3 onward = (line.points[last] - line.points[last - reach]) / reach;
+  std::vector<Vec3> points;
+  for (int k = reach; k > 0; --k) points.push_back(line.points[first] + k * back);
+  points.insert(points.end(), line.points.begin() + first, line.points.begin() + last + 1);
+  for (int k = 1; k <= reach; ++k) points.push_back(line.points[last] + k * onward);
+  line.points = points;
+  line = resampled(line, line.spacing);
+}
+
 std::string millimetres(double metres) { return plainNumber(metres * 1e3) + " mm"; }
 
 void refuseNonTube(const TubeAxis& axis, const std::vector<MeasuredSection>& sections) {
@@ -63,8 +90,10 @@ void refuseNonTube(const TubeAxis& axis, const std::vector<MeasuredSection>& sec
   if (share < kLeastClosed)
     throw InputError("is not a tube: the wall closes round only " + std::to_string(static_cast<int>(share * 100.0)) +
                      " % of its middle line");
-  if (axis.line.length() < kLeastAspect * 2.0 * axis.radius)
-    throw InputError("is not a tube: about " + millimetres(axis.line.length()) + " long and " + millimetres(2.0 * axis.radius) + " wide");
+  const auto [first, last] = usableRange(sections, axis.radius);
+  const double length = axis.line.spacing * std::max(0, last - first);  // [m]
+  if (length < kLeastAspect * 2.0 * axis.radius)
+    throw InputError("is not a tube: about " + millimetres(length) + " long and " + millimetres(2.0 * axis.radius) + " wide");
   if (axis.radius < kLeastRadius || axis.radius > kMostRadius)
     throw InputError("the tube's radius is " + millimetres(axis.radius) + " at this anatomy.scale, a colon's is " +
                      millimetres(kLeastRadius) + " to " + millimetres(kMostRadius) + ": wrong scale?");
@@ -81,17 +110,15 @@ TubeAxis tubeAxis(const Surface& surface, const TubeSlicer& slicer) {
   for (int round = 0; round < kCentringRounds; ++round) {
     sections = centre(axis.line, slicer, kOtherLoop * axis.radius);
     axis.radius = medianRadius(sections);
-    if (axis.radius > 0.0) axis.line = smoothed(axis.line, axis.radius);
+    if (!(axis.radius > 0.0)) continue;
+    straightenEnds(axis.line, sections, axis.radius);
+    axis.line = smoothed(axis.line, axis.radius);
   }
   sections = centre(axis.line, slicer, kOtherLoop * axis.radius);
   refuseNonTube(axis, sections);
 
-  const auto usable = [&](const MeasuredSection& s) { return s.closed && s.radius > kNarrowShare * axis.radius; };
-  const auto first = std::find_if(sections.begin(), sections.end(), usable);
-  const auto last = std::find_if(sections.rbegin(), sections.rend(), usable);
-  if (first == sections.end()) throw InputError("is not a tube: no closed section");
-  const Vec3 start = axis.line.points[static_cast<std::size_t>(first - sections.begin())];
-  const Vec3 end = axis.line.points[static_cast<std::size_t>(sections.rend() - last - 1)];
+  const auto [first, last] = usableRange(sections, axis.radius);
+  const Vec3 start = axis.line.points[first], end = axis.line.points[last];
   axis.line = smoothed(axis.line, axis.radius);
   axis.first = axis.line.nearest(start);
   axis.last = axis.line.nearest(end);

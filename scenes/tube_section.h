@@ -22,7 +22,7 @@ SectionFrame uprightFrame(const Vec3& centre, const Vec3& normal);
 
 /// Distance to the wall per ray, counter-clockwise from `right`. Missing rays hold kMissing.
 struct Section {
-  static constexpr double kMissing = -1.0;
+  static constexpr double kMissing = -1.0;   // [m] no distance
   std::vector<double> radius;      // [m]
 
   int missing() const;

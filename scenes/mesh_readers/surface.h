@@ -26,10 +26,10 @@ struct Surface {
 /// Chooses the reader by the file's extension. scale [m per unit]
 Surface readSurface(const std::string& path, double scale);
 
-/// The readers by themselves; `origin` stands for the file name in messages. scale [m per unit]
-Surface readObj(std::istream&, const std::string& origin, double scale);
-Surface readStl(std::istream&, const std::string& origin, double scale);
-Surface readPly(std::istream&, const std::string& origin, double scale);
-Surface readVtk(std::istream&, const std::string& origin, double scale);
+/// The readers by themselves; `origin` stands for the file name in messages.
+Surface readObj(std::istream&, const std::string& origin, double scale);  // scale [m per unit]
+Surface readStl(std::istream&, const std::string& origin, double scale);  // scale [m per unit]
+Surface readPly(std::istream&, const std::string& origin, double scale);  // scale [m per unit]
+Surface readVtk(std::istream&, const std::string& origin, double scale);  // scale [m per unit]
 
 }  // namespace halsted::scenes

@@ -1,0 +1,296 @@
+/// Scene files: every key is read, and every mistake is refused in one line that names file, line and key.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+#include "scenes/materials.h"
+#include "scenes/scene.h"
+#include "scenes/scene_fields.h"
+#include "tests/scenes/surface_makers.h"
+#include "tests/scenes/wall_laws.h"
+
+namespace halsted {
+namespace {
+
+using scenes::parseScene;
+using scenes::SceneFile;
+using testing::expectRefused;
+
+SceneFile parse(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  return parseScene(text, "test.toml", "/tmp/test_scene", overrides);
+}
+SceneFile withTitle(const std::string& rest, const std::vector<std::string>& overrides = {}) {
+  return parse("title = \"t\"\n" + rest, overrides);
+}
+
+TEST(PurseStringScene, IsReadAndBuilt) {
+  const SceneFile scene = scenes::readScene(scenes::scenesDirectory() + "/purse_string", {});
+  EXPECT_EQ(scene.name, "purse_string");
+  EXPECT_EQ(scene.title, "Purse-string suture");
+  EXPECT_EQ(scene.params.tools[kLeft].kind, ToolKind::kForceps);
+  EXPECT_EQ(scene.params.tools[kRight].kind, ToolKind::kNeedleDriver);
+  EXPECT_EQ(scene.params.thread.nodes, 175);
+  EXPECT_DOUBLE_EQ(scene.params.tissue.youngsModulus, 120e3);
+  EXPECT_DOUBLE_EQ(scene.camera.fovDegrees, 32.0);
+  testing::expectWholeWall(scenes::buildAnatomy(scene));
+}
+
+TEST(PurseStringScene, HasTheProcedureOfTheSurgeon) {
+  const SceneFile scene = scenes::readScene("purse_string", {});
+  ASSERT_EQ(scene.procedure.size(), 4u);
+  EXPECT_EQ(scene.procedure[0].done.quantity, Quantity::kNeedleHeld);
+  EXPECT_EQ(scene.procedure[1].done.quantity, Quantity::kBites);
+  EXPECT_DOUBLE_EQ(scene.procedure[1].done.min, 8.0);
+  EXPECT_TRUE(scene.procedure[1].hasFault);
+  EXPECT_EQ(scene.procedure[1].fault.quantity, Quantity::kStitchAcrossOpening);
+  EXPECT_EQ(scene.procedure[2].done.quantity, Quantity::kTailsHeld);
+  EXPECT_DOUBLE_EQ(scene.procedure[3].done.max, 0.15);
+  EXPECT_DOUBLE_EQ(scene.procedure[3].done.hold, 0.5);
+  for (const ProcedureStep& step : scene.procedure) EXPECT_GT(step.limit, 0.0);
+}
+
+TEST(Scenes, AreListedInOrder) {
+  const std::vector<std::string> folders = scenes::sceneFolders();
+  EXPECT_TRUE(std::is_sorted(folders.begin(), folders.end()));
+  EXPECT_NE(std::find(folders.begin(), folders.end(), scenes::scenesDirectory() + "/purse_string"), folders.end());
+  for (const std::string& folder : folders) EXPECT_NO_THROW(scenes::readScene(folder, {})) << folder;
+}
+
+/// A value inside the range of a field, other than its default, as TOML.
+std::string sampleValue(const scenes::SceneField& field) {
+  std::ostringstream number;
+  number << field.min + 0.25 * (field.max - field.min);
+  if (std::holds_alternative<double*>(field.slot)) return number.str();
+  if (std::holds_alternative<int*>(field.slot)) return std::to_string(static_cast<int>(field.min) + 3);
+  if (std::holds_alternative<std::uint64_t*>(field.slot)) return "77";
+  if (std::holds_alternative<Vec3*>(field.slot)) return "[0.1, 0.2, 0.3]";
+  if (std::holds_alternative<TissueSolver*>(field.slot)) return "\"xpbd\"";
+  if (std::holds_alternative<ToolKind*>(field.slot)) return "\"forceps\"";
+  if (std::holds_alternative<scenes::MaterialName>(field.slot)) return "\"fat\"";
+  return "\"x\"";
+}
+
+/// Some values only make sense together; here each is tried alone, so a refusal must at least name the key.
+TEST(SceneFields, AreEachReadFromTheFileAndFromAnOverride) {
+  SceneFile scratch;
+  for (const scenes::SceneField& field : scenes::sceneFields(scratch)) {
+    const std::string value = sampleValue(field), title = field.key == "title" ? "" : "title = \"t\"\n";
+    for (const bool fromFile : {true, false}) {
+      try {
+        fromFile ? parse(title + field.key + " = " + value) : withTitle("", {field.key + "=" + value});
+      } catch (const scenes::InputError& error) {
+        EXPECT_NE(std::string(error.what()).find(field.key), std::string::npos) << error.what();
+        EXPECT_EQ(std::string(error.what()).find("unknown"), std::string::npos) << error.what();
+      }
+    }
+  }
+}
+
+TEST(SceneFields, KeepTheirDefaultsInRange) {
+  SceneFile scene;
+  for (const scenes::SceneField& field : scenes::sceneFields(scene)) {
+    if (const auto* number = std::get_if<double*>(&field.slot)) {
+      EXPECT_GE(**number, field.min) << field.key;
+      EXPECT_LE(**number, field.max) << field.key;
+    }
+    if (const auto* number = std::get_if<int*>(&field.slot)) {
+      EXPECT_GE(**number, field.min) << field.key;
+      EXPECT_LE(**number, field.max) << field.key;
+    }
+  }
+}
+
+TEST(SceneReader, PutsValuesWhereTheyBelong) {
+  const SceneFile scene = withTitle("[tissue]\nsolver = \"shape_matching\"\nyoungs_modulus = 5000\n[tool.left]\ngrip_force = 3.5\n"
+                                    "[anvil]\nto = [0, 0.001, 2e-3]\n[sim]\nseed = 9\n[needle]\ntear_force = 2");
+  EXPECT_EQ(scene.params.tissue.solver, TissueSolver::kShapeMatching);
+  EXPECT_DOUBLE_EQ(scene.params.tissue.youngsModulus, 5000.0);
+  EXPECT_DOUBLE_EQ(scene.params.tools[kLeft].gripForce, 3.5);
+  EXPECT_EQ(scene.params.anvil.to, Vec3(0, 0.001, 2e-3));
+  EXPECT_EQ(scene.params.seed, 9u);
+  EXPECT_DOUBLE_EQ(scene.params.needle.tearForce, 2.0);
+}
+
+TEST(SceneReader, LetsOverridesWinOverTheFileAndLaterOnesOverEarlier) {
+  const SceneFile scene = withTitle("tissue.density = 1000", {"tissue.density=1100", "tissue.density=1200", "title=Other words"});
+  EXPECT_DOUBLE_EQ(scene.params.tissue.density, 1200.0);
+  EXPECT_EQ(scene.title, "Other words");
+  EXPECT_EQ(scene.overrides.size(), 3u);
+}
+
+TEST(SceneReader, LetsExplicitKeysWinOverTheMaterial) {
+  const SceneFile scene = withTitle("[tissue]\ndensity = 999\nmaterial = \"rectosigmoid\"");
+  EXPECT_DOUBLE_EQ(scene.params.tissue.youngsModulus, 5.18e6);
+  EXPECT_DOUBLE_EQ(scene.params.tissue.density, 999.0);
+}
+
+TEST(SceneReader, GivesTheSameSceneFromTheTextItKept) {
+  const SceneFile first = scenes::readScene("purse_string", {"tissue.material=fat"});
+  const SceneFile again = parseScene(first.text, "session", first.folder, first.overrides);
+  EXPECT_EQ(testing::bitsOf(scenes::buildAnatomy(first)), testing::bitsOf(scenes::buildAnatomy(again)));
+  EXPECT_DOUBLE_EQ(again.params.tissue.youngsModulus, first.params.tissue.youngsModulus);
+}
+
+struct BadText {
+  const char* text;
+  const char* message;
+};
+
+class BadScenes : public ::testing::TestWithParam<BadText> {};
+
+TEST_P(BadScenes, AreRefusedNamingFileLineAndKey) {
+  expectRefused([] { withTitle(GetParam().text); }, {"test.toml:", GetParam().message});
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadScenes,
+    ::testing::Values(
+        BadText{"[tisue]\nyoungs_modulus = 1e5", "test.toml:3: tisue.youngs_modulus: unknown table [tisue]"},
+        BadText{"[tissue]\nyoung = 1e5", "test.toml:3: tissue.young: unknown key"},
+        BadText{"[tool.middle]\nkind = \"forceps\"", "unknown table [tool.middle]"},
+        BadText{"[nothing]", "test.toml:2: nothing: unknown key"},
+        BadText{"[tissue]\nyoungs_modulus = \"soft\"", "test.toml:3: tissue.youngs_modulus: must be a number, is a text"},
+        BadText{"[tissue]\nyoungs_modulus = -1", "test.toml:3: tissue.youngs_modulus: must be 100 to 1e+09 Pa, is -1"},
+        BadText{"[tissue]\nyoungs_modulus = nan", "tissue.youngs_modulus: must be 100 to 1e+09 Pa, is nan"},
+        BadText{"[tissue]\nyoungs_modulus = inf", "must be 100 to 1e+09 Pa, is inf"},
+        BadText{"[tissue]\npoisson_ratio = 0.5", "tissue.poisson_ratio: must be 0 to 0.495"},
+        BadText{"[tissue]\nsolver = \"magic\"", "'magic' is not one of projective, xpbd, shape_matching"},
+        BadText{"[tissue]\nsubsteps = 1.5", "tissue.substeps: must be an integer, is a number"},
+        BadText{"[tissue]\nmaterial = \"gold\"", "tissue.material: 'gold' is not one of brain, colon_handling"},
+        BadText{"tissue = 3", "test.toml:2: tissue: unknown key"},
+        BadText{"[sim]\ngravity = [0, 1]", "sim.gravity: must be a list of three numbers, is a list of another length"},
+        BadText{"[sim]\ngravity = 9.81", "sim.gravity: must be a list of three numbers, is a number"},
+        BadText{"[sim]\ngravity = [0, \"down\", 0]", "sim.gravity: must be a number, is a text"},
+        BadText{"[sim]\ndt = 1.0", "sim.dt: must be 1e-05 to 0.02 s, is 1"},
+        BadText{"[sim]\nseed = -1", "sim.seed: must be 0 to"},
+        BadText{"[camera]\neye = [0, 0, 0]\ntarget = [0, 0, 0]", "camera.eye: eye and target coincide"},
+        BadText{"[anvil]\nfrom = [0, 0, 0]\nto = [0, 0, 0]", "anvil.to: the anvil has no length"},
+        BadText{"[anatomy]\naround = 200\nalong = 200", "anatomy.around: 2 x around x along must be at most 20000"},
+        BadText{"[anatomy]\nwall = 0.018", "anatomy.wall: wall and haustra_depth together leave no lumen"},
+        BadText{"[anatomy]\nsegment = \"0.3\"", "anatomy.segment: needs anatomy.mesh"},
+        BadText{"[thread]\nnodes = 2000\nsegment_length = 0.02", "thread.segment_length: the thread is longer than 3 m"},
+        BadText{"technique = \"a\\u0007b\"", "technique: contains a control character"},
+        BadText{"[tissue", "test.toml:2: "},
+        BadText{"title = \"again\"", "test.toml:2: "},
+        BadText{"procedure = 3", "procedure: must be [[procedure]] tables, is an integer"},
+        BadText{"[[procedure]]\nid = \"a\"", "step 'a' has no instruction"},
+        BadText{"[[procedure]]\ninstruction = \"a\"", "a step has no id"},
+        BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"b\"", "step 'a' has no done condition"},
+        BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"b\"\ndone = { quantity = \"luck\", min = 1 }",
+                "test.toml:5: procedure.done.quantity: 'luck' is not one of time, needle_held"},
+        BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"b\"\ndone = { quantity = \"bites\" }", "has neither min nor max"},
+        BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"b\"\ndone = { min = 1 }", "has no quantity"},
+        BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"b\"\ndone = { quantity = \"bites\", min = 2, max = 1 }", "min must not exceed max"},
+        BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"b\"\ndone = { quantity = \"bites\", min = 2, hold_s = -1 }",
+                "procedure.done.hold_s: must be 0 to 86400 s"},
+        BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"b\"\ndone = { quantity = \"bites\", minimum = 2 }", "done.minimum: unknown key"},
+        BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"b\"\nlimit = 3\ndone = { quantity = \"bites\", min = 1 }",
+                "procedure.limit: unknown key"},
+        BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"b\"\ndone = { quantity = \"bites\", min = 1 }\n"
+                "fault = { quantity = \"tears\", min = 1 }", "procedure.fault: has no name"}));
+
+TEST(SceneReader, NeedsATitle) { expectRefused([] { parse(""); }, {"test.toml: title: is missing"}); }
+
+TEST(SceneReader, RefusesTwoStepsOfOneNameAndTooManySteps) {
+  const std::string step = "\ninstruction = \"b\"\ndone = { quantity = \"bites\", min = 1 }\n";
+  expectRefused([&] { withTitle("[[procedure]]\nid = \"a\"" + step + "[[procedure]]\nid = \"a\"" + step); }, {"two steps are called 'a'"});
+  std::string many;
+  for (int i = 0; i <= kMaxProcedureSteps; ++i) many += "[[procedure]]\nid = \"" + std::to_string(i) + "\"" + step;
+  expectRefused([&] { withTitle(many); }, {"more than 32 steps"});
+}
+
+TEST(SceneReader, RefusesABombOfText) {
+  expectRefused([] { parse(std::string((1 << 20) + 1, '#')); }, {"test.toml: larger than"});
+  expectRefused([] { withTitle("a = " + std::string(100000, '[')); }, {"test.toml:2: "});
+}
+
+class BadOverrides : public ::testing::TestWithParam<BadText> {};
+
+TEST_P(BadOverrides, AreRefusedAsTheUserWroteThem) {
+  expectRefused([] { withTitle("", {GetParam().text}); }, {"--set " + std::string(GetParam().text) + ": ", GetParam().message});
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadOverrides,
+                         ::testing::Values(BadText{"tissue.nope=1", "unknown key"}, BadText{"tisue.density=1", "unknown table [tisue]"},
+                                           BadText{"tissue.density", "must be key=value"}, BadText{"=1", "must be key=value"},
+                                           BadText{"tissue.density=", "is not a value"}, BadText{"tissue.density=1 2", "is not a value"},
+                                           BadText{"tissue.density=1#", "is not a value"}, BadText{"tissue.density=1,5", "is not a value"},
+                                           BadText{"tissue.density=5", "must be 100 to 20000 kg/m^3, is 5"},
+                                           BadText{"tissue.solver=magic", "is not one of projective"},
+                                           BadText{"thread.nodes=10.5", "must be an integer"},
+                                           BadText{"anvil.from=0", "must be a list of three numbers"},
+                                           BadText{"anatomy.mesh=/nowhere/colon.obj", "no file '/nowhere/colon.obj'"},
+                                           BadText{"procedure=1", "unknown key"}));
+
+TEST(SceneReader, NamesTheKnownScenesWhenOneIsUnknown) {
+  expectRefused([] { scenes::readScene("appendectomy", {}); }, {"unknown scene 'appendectomy'", "purse_string"});
+  expectRefused([] { scenes::readScene("", {}); }, {"unknown scene ''"});
+}
+
+/// A scene folder with a mesh inside, and another mesh beside the folder.
+struct MeshPaths : ::testing::Test {
+  std::string root = testing::freshFolder("root"), folder = root + "/scene";
+
+  void SetUp() override {
+    std::filesystem::create_directories(folder + "/meshes");
+    const std::string obj = testing::asObj(testing::tubeSurface({}));
+    testing::writeFile(folder + "/meshes/tube.obj", obj);
+    testing::writeFile(root + "/outside.obj", obj);
+  }
+  SceneFile read(const std::string& path) const {
+    return parseScene("title = \"t\"\n[anatomy]\nmesh = \"" + path + "\"\n", "scene.toml", folder, {});
+  }
+};
+
+TEST_F(MeshPaths, InsideTheFolderAreOpened) {
+  testing::expectWholeWall(scenes::buildAnatomy(read("meshes/tube.obj")));
+  EXPECT_NO_THROW(read("meshes/../meshes/tube.obj"));
+}
+
+TEST_F(MeshPaths, InAFileMayNotLeaveTheFolder) {
+  const std::string place = "scene.toml:3: anatomy.mesh: ", outside = "lies outside the scene's folder and HALSTED_DATA";
+  expectRefused([&] { read("../outside.obj"); }, {place, outside});
+  expectRefused([&] { read(root + "/outside.obj"); }, {place, outside});
+  expectRefused([&] { read("/etc/passwd"); }, {place, outside});
+  std::filesystem::create_symlink(root + "/outside.obj", folder + "/link.obj");
+  expectRefused([&] { read("link.obj"); }, {place, outside});
+  expectRefused([&] { read("missing.obj"); }, {place, "no file 'missing.obj'"});
+}
+
+TEST_F(MeshPaths, OnTheCommandLineAreTheUsersWord) {
+  const std::string set = "anatomy.mesh=" + root + "/outside.obj";
+  EXPECT_NO_THROW(scenes::buildAnatomy(parseScene("title = \"t\"", "scene.toml", folder, {set})));
+  expectRefused([&] { parseScene("title = \"t\"", "session", folder, {set}, scenes::PathTrust::kFile); }, {"--set ", "lies outside"});
+}
+
+TEST_F(MeshPaths, MayLieInTheDataFolder) {
+  const char* before = std::getenv("HALSTED_DATA");
+  const std::string kept = before ? before : "";
+  ASSERT_EQ(setenv("HALSTED_DATA", root.c_str(), 1), 0);
+  EXPECT_NO_THROW(read("outside.obj"));
+  EXPECT_NO_THROW(read("$HALSTED_DATA/outside.obj"));
+  ASSERT_EQ(unsetenv("HALSTED_DATA"), 0);
+  expectRefused([&] { read("$HALSTED_DATA/outside.obj"); }, {"HALSTED_DATA is not set"});
+  if (before) setenv("HALSTED_DATA", kept.c_str(), 1);
+}
+
+TEST(Materials, AllHaveASourceAndValuesInRange) {
+  const std::vector<scenes::Material> materials = scenes::readMaterials();
+  EXPECT_GE(materials.size(), 10u);
+  for (const scenes::Material& material : materials) EXPECT_GT(material.source.size(), 20u) << material.name;
+}
+
+TEST(Materials, RefuseMistakesNamingTheLine) {
+  const auto parsing = [](const std::string& text) { return [text] { scenes::parseMaterials(text, "m.toml"); }; };
+  expectRefused(parsing("[a]\nyoungs_modulus = 1e5\n"), {"m.toml:1: a: has no poisson_ratio"});
+  expectRefused(parsing("[a]\nstiffness = 1e5\n"), {"m.toml:2: a.stiffness: unknown key"});
+  expectRefused(parsing("[a]\nyoungs_modulus = 1e5\npoisson_ratio = 0.6\ndensity = 1000"), {"m.toml:3: a.poisson_ratio: must be 0 to 0.495"});
+  expectRefused(parsing("[a]\nyoungs_modulus = 1e5\npoisson_ratio = 0.4\ndensity = 1000"), {"m.toml:1: a: has no source"});
+  expectRefused(parsing("a = 3"), {"m.toml:1: a: must be a table"});
+}
+
+}  // namespace
+}  // namespace halsted
