@@ -1,6 +1,7 @@
 #include "haptics/coupling.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "haptics/limits.h"
@@ -10,7 +11,43 @@ namespace halsted::haptics {
 namespace {
 
 constexpr double kRounding = 1e-9;  // [N] what a projection may leave of a pull
-constexpr int kPlaneSweeps = 4;  // two planes settle in one sweep when square, three in a few when they are not
+constexpr int kPlaneSweeps = 6;     // two square planes settle in one sweep, corners in a few
+
+/// A force as pushes along the planes' normals and a rest that none of them can explain (friction, or a pull).
+struct PlaneLoad {
+  std::array<double, LocalContact::kMaxPlanes> push{};  // [N] never negative
+  Vec3 rest;                                            // [N]
+};
+
+/// Non-negative least squares by coordinate descent. A tool pinched between two walls is pushed by one of them even where the force
+/// points into the other, so a plane must not be judged alone.
+PlaneLoad explain(const LocalContact& contact, const Vec3& force) noexcept {
+  PlaneLoad load;
+  load.rest = force;
+  for (int sweep = 0; sweep < kPlaneSweeps; ++sweep) {
+    for (int i = 0; i < contact.planeCount; ++i) {
+      const Vec3& normal = contact.planes[i].normal;
+      const double change = std::max(-load.push[i], load.rest.dot(normal));  // [N]
+      load.push[i] += change;
+      load.rest -= change * normal;
+    }
+  }
+  return load;
+}
+
+/// Takes the pull of the planes that pushed when the model was made out of what no plane explains.
+Vec3 withoutPull(const LocalContact& contact, const PlaneLoad& made, const Vec3& force) noexcept {
+  if (contact.planeCount == 0) return force;
+  const Vec3 unexplained = explain(contact, force).rest;
+  Vec3 rest = unexplained;
+  for (int sweep = 0; sweep < kPlaneSweeps; ++sweep) {
+    for (int i = 0; i < contact.planeCount; ++i) {
+      const double along = rest.dot(contact.planes[i].normal);  // [N]
+      if (made.push[i] > 0.0 && along < 0.0) rest -= contact.planes[i].normal * along;
+    }
+  }
+  return force + (rest - unexplained);
+}
 
 /// What `gain` must be scaled with so that its largest row sum of absolute values, and with it every eigenvalue, is within `cap`.
 double shareWithin(const Mat3& gain, double cap) noexcept {  // [N/m] or [N s/m]
@@ -23,17 +60,11 @@ double shareWithin(const Mat3& gain, double cap) noexcept {  // [N/m] or [N s/m]
 }  // namespace
 
 Vec3 withoutAdhesion(const LocalContact& contact, const Vec3& force, const Vec3& last, double step) noexcept {  // [N] all
-  Vec3 kept = force;
-  for (int sweep = 0; sweep < kPlaneSweeps; ++sweep) {
-    for (int i = 0; i < contact.planeCount; ++i) {
-      const double along = kept.dot(contact.planes[i].normal);  // [N]
-      if (along < 0.0) kept -= contact.planes[i].normal * along;
-    }
-  }
-  // Projections never move two forces apart, so from a force that did not pull this one is no jump.
-  for (int i = 0; i < contact.planeCount; ++i)
-    if (last.dot(contact.planes[i].normal) < -kRounding) return last + clampLength(kept - last, step);
-  return kept;
+  if (contact.planeCount == 0) return force;
+  const PlaneLoad made = explain(contact, contact.force);
+  const Vec3 kept = withoutPull(contact, made, force);
+  const Vec3 pulled = last - withoutPull(contact, made, last);
+  return pulled.dot(pulled) > kRounding * kRounding ? Vec3(last + clampLength(kept - last, step)) : kept;
 }
 
 bool usable(const LocalContact& contact) noexcept {
@@ -47,7 +78,7 @@ bool usable(const LocalContact& contact) noexcept {
 
 namespace {
 
-/// Nothing is touched yet, but planes are near: beyond one of them the spring of the model pushes back along its normal.
+/// Nothing is touched yet, but the planes are where it would be: beyond one the model's spring pushes back along its normal.
 Vec3 onsetForce(const LocalContact& contact, const Vec3& x, double share) noexcept {  // [m] [1]
   Vec3 force = Vec3::Zero();
   for (int i = 0; i < contact.planeCount; ++i) {
@@ -61,6 +92,7 @@ Vec3 onsetForce(const LocalContact& contact, const Vec3& x, double share) noexce
 }  // namespace
 
 Vec3 modelForce(const LocalContact& contact, const Vec3& x, const Vec3& v, const CouplingCaps& caps) noexcept {  // [m] [m/s]
+  if (!contact.touching && !contact.ahead) return Vec3::Zero();
   if (!contact.touching) return clampLength(onsetForce(contact, x, shareWithin(contact.stiffness, caps.stiffness)), caps.force);
   const Vec3 spring = contact.stiffness * shareWithin(contact.stiffness, caps.stiffness) * (x - contact.position);
   const Vec3 damper = contact.damping * shareWithin(contact.damping, caps.damping) * v;

@@ -15,15 +15,16 @@ struct CouplingCaps {
 /// Every number finite, normals of unit length, plane count in range. What is not usable gives zero force and a fault.
 bool usable(const LocalContact&) noexcept;
 
-/// F = force - stiffness (x - x0) - damping v, within the caps. Along a plane's normal the force never pulls.
-/// A model without planes may pull: needle, thread, grasp.
-/// A model that is not touching gives zero, but for planes published ahead of the contact: beyond one the force is the stiffness
-/// along its normal times the depth. So the first millisecond of a fast touch is already felt, and the blend has nothing to hide.
+/// F = force - stiffness (x - x0) - damping v, within the caps, without adhesion.
+/// A model that is not touching gives zero, but for one whose planes were published `ahead` of the contact: beyond one the force is
+/// the stiffness along its normal times the depth. So the first millisecond of a fast touch is already felt, and the blend has
+/// nothing to hide.
 /// Finite for every usable model of a size that a scene can have; what overflows must be caught by the caller.
 Vec3 modelForce(const LocalContact&, const Vec3& x, const Vec3& v, const CouplingCaps&) noexcept;     // [m] [m/s] -> [N]
 
-/// Takes out what would pull along a plane's normal. Where `last` pulled already, the force leaves it by `step` only: a needle that
-/// lets go while the shaft rests on tissue must not jump.
+/// Takes out what would pull along the normal of a plane that pushed when the model was made, unless another plane pushes that way.
+/// A model without planes may pull: needle, thread, grasp. Where `last` pulled already, the force leaves it by `step` only: a needle
+/// that lets go while the shaft rests on tissue must not jump.
 Vec3 withoutAdhesion(const LocalContact&, const Vec3& force, const Vec3& last, double step) noexcept;  // [N] [N] [N]
 
 /// One tick of decay of the blend offset: exponential for small ones, never more than `step` at once.

@@ -48,6 +48,7 @@ struct LocalContact {
   std::array<ContactPlane, kMaxPlanes> planes{};
   int planeCount = 0;
   bool touching = false;                     // any contact, grasp, needle or thread load
+  bool ahead = false;                        // not touching yet, but the planes are where touching would begin: render beyond them
   bool puncture = false;                     // a puncture or release happened in this step: force may jump
 };
 

@@ -26,6 +26,7 @@ LocalContact SpringWall::step(const ToolSample& sample, double) const {
   if (depth <= -lookAhead) return contact;
   contact = planeContact(sample, 0.0);
   contact.touching = depth > 0.0;
+  contact.ahead = !contact.touching;
   contact.force.y() = std::max(0.0, stiffness * depth);
   contact.stiffness(1, 1) = stiffness;
   contact.damping(1, 1) = damping;

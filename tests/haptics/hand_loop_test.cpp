@@ -46,6 +46,42 @@ TEST(HandLoop, APunctureMayJump) {
   EXPECT_NEAR(rig.next().y(), 0.2, 1e-12);
 }
 
+TEST(HandLoop, ToolPinchedBetweenTwoWallsFeelsBoth) {
+  // The net force points into the plane of the weaker wall: that is no adhesion, the other wall pushes.
+  for (const double side : {-1.0, 1.0}) {
+    ReplayRig rig({readingAt(Vec3(side * 1e-3, 0.0, 0.0))});
+    rig.contact = bilateral(1, Vec3(0.1, 0.0, 0.0), 500.0);
+    rig.contact.planeCount = 2;
+    rig.contact.planes[0].normal = Vec3::UnitX();
+    rig.contact.planes[1].normal = -Vec3::UnitX();
+    for (int i = 0; i < 40; ++i) rig.next();
+    EXPECT_NEAR(rig.output.force.x(), 0.1 - side * 0.5, 1e-6);
+  }
+}
+
+TEST(HandLoop, ANearWallThatDoesNotPushLeavesTheForceAlone) {
+  ReplayRig rig({readingAt(Vec3(0.0, -0.5e-3, 0.0))});
+  rig.contact = bilateral(1, Vec3(0.3, 0.5, 0.0), 500.0);  // pressed on the floor, friction to the right
+  rig.contact.planeCount = 2;
+  rig.contact.planes[0].normal = Vec3::UnitY();
+  rig.contact.planes[1].normal = -Vec3::UnitX();           // a wall on the right
+  for (int i = 0; i < 40; ++i) rig.next();
+  EXPECT_NEAR((rig.output.force - Vec3(0.3, 0.75, 0.0)).norm(), 0.0, 1e-5);
+}
+
+TEST(HandLoop, PlanesWithoutContactGiveNoForceUnlessPublishedAhead) {
+  for (const bool ahead : {false, true}) {
+    ReplayRig rig({readingAt(Vec3(0.0, -1e-3, 0.0))});
+    rig.contact = bilateral(1, Vec3::Zero(), 500.0);
+    rig.contact.touching = false;
+    rig.contact.ahead = ahead;
+    rig.contact.planeCount = 1;
+    rig.contact.planes[0].normal = Vec3::UnitY();
+    for (int i = 0; i < 40; ++i) rig.next();
+    EXPECT_NEAR((rig.output.force - Vec3(0.0, ahead ? 0.5 : 0.0, 0.0)).norm(), 0.0, 1e-6);
+  }
+}
+
 TEST(HandLoop, SampleActsOnTheForceOfTheSameTick) {
   std::vector<DeviceReading> readings(20, readingAt(Vec3::Zero()));
   readings.push_back(readingAt(Vec3(0.0, -0.055e-3, 0.0)));
