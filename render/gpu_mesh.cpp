@@ -13,6 +13,15 @@ void GpuMesh::stream(const void* data, std::size_t bytes) const {
   glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes), data);
 }
 
+void GpuMesh::drawOnly(const std::vector<std::uint32_t>& some, const Buffer& room) const {
+  if (some.empty()) return;
+  glBindVertexArray(array);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, room);
+  glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(some.size() * sizeof(std::uint32_t)), some.data());
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(some.size()), GL_UNSIGNED_INT, nullptr);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
+}
+
 void uploadIndices(GpuMesh& mesh, const std::vector<std::uint32_t>& indices) {
   mesh.indices = makeBuffer();
   mesh.count = static_cast<GLsizei>(indices.size());
@@ -40,16 +49,16 @@ GpuMesh uploadTube(const Tube& tube) {
   return mesh;
 }
 
-Texture uploadImage(const Image& image, Tiling tiling) {
+Texture uploadImage(const Image& image, Sampling sampling) {
   Texture texture = makeTexture();
-  const GLint wrap = tiling == Tiling::kRepeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+  const bool tiles = sampling == Sampling::kTiles;
   glBindTexture(GL_TEXTURE_2D, texture);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  glGenerateMipmap(GL_TEXTURE_2D);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);   // one level: half the price of two
+  if (tiles) glGenerateMipmap(GL_TEXTURE_2D);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, tiles ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, tiles ? GL_REPEAT : GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, tiles ? GL_REPEAT : GL_CLAMP_TO_EDGE);
   return texture;
 }
 

@@ -17,14 +17,15 @@ struct GpuMesh {
 
   void draw() const;
   void stream(const void* data, std::size_t bytes) const;
+  void drawOnly(const std::vector<std::uint32_t>& some, const Buffer& room) const;   // these triangles; `room` holds their indices
 };
 
 GpuMesh uploadShape(const Shape&);
 GpuMesh uploadTube(const Tube&);
 void uploadIndices(GpuMesh&, const std::vector<std::uint32_t>&);   // to the bound vertex array
 
-enum class Tiling { kRepeat, kClamp };
-/// RGBA with mip levels, bound to nothing.
-Texture uploadImage(const Image&, Tiling);
+/// kOneLevel: clamped and without mip levels, which saves llvmpipe the derivatives; for pictures that are never made smaller.
+enum class Sampling { kTiles, kOneLevel };
+Texture uploadImage(const Image&, Sampling);
 
 }  // namespace halsted::render

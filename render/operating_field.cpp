@@ -87,26 +87,29 @@ Ground groundAt(double x, double y) {                                           
 /// The lamp's pool of light ends softly: the theatre around the table is dark.
 double pool(double x, double y) { return 0.16 + 0.84 * smoothStep(7.0, 1.2, std::hypot(x, y)); }   // [1] organ radii
 
+constexpr double kCell = 2.0 * kFieldHalfSize / kFieldCells;                                  // [m]
+
+void addCell(int i, int j, std::vector<std::uint32_t>& indices) {
+  const auto at = [&](int di, int dj) { return static_cast<std::uint32_t>((j + dj) * (kFieldCells + 1) + i + di); };
+  indices.insert(indices.end(), {at(0, 0), at(1, 0), at(1, 1), at(0, 0), at(1, 1), at(0, 1)});
+}
+
 Shape makeGrid(const FieldPlace& place) {
-  constexpr int kCells = 72;
   Shape shape;
-  for (int j = 0; j <= kCells; ++j)
-    for (int i = 0; i <= kCells; ++i) {
-      const double u = 2.0 * i / kCells - 1.0, v = 2.0 * j / kCells - 1.0;                     // [1]
-      const double x = u * std::abs(u) * kFieldHalfSize, y = v * std::abs(v) * kFieldHalfSize;  // [m] finer in the middle
+  for (int j = 0; j <= kFieldCells; ++j)
+    for (int i = 0; i <= kFieldCells; ++i) {
+      const double x = i * kCell - kFieldHalfSize, y = j * kCell - kFieldHalfSize;             // [m]
       ShapeVertex vertex{};
       const double z = place.centre.z() + groundAt(x / place.radius, y / place.radius).height;  // [m]
       const double position[3] = {place.centre.x() + x, place.centre.y() + y, z};               // [m]
       for (int k = 0; k < 3; ++k) vertex.position[k] = static_cast<float>(position[k]);
       vertex.normal[2] = 1.0f;
-      vertex.uv[0] = static_cast<float>(0.5 + 0.5 * x / kFieldHalfSize);
-      vertex.uv[1] = static_cast<float>(0.5 + 0.5 * y / kFieldHalfSize);
+      vertex.uv[0] = static_cast<float>(static_cast<double>(i) / kFieldCells);
+      vertex.uv[1] = static_cast<float>(static_cast<double>(j) / kFieldCells);
       shape.vertices.push_back(vertex);
     }
-  const auto at = [](int i, int j) { return static_cast<std::uint32_t>(j * (kCells + 1) + i); };
-  for (int j = 0; j < kCells; ++j)
-    for (int i = 0; i < kCells; ++i)
-      shape.indices.insert(shape.indices.end(), {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+  for (int j = 0; j < kFieldCells; ++j)
+    for (int i = 0; i < kFieldCells; ++i) addCell(i, j, shape.indices);
   return shape;
 }
 
@@ -136,6 +139,33 @@ OperatingField makeOperatingField(const FieldPlace& place, int size) {
       out[3] = static_cast<std::uint8_t>(std::lround(255.0 * g.kind));
     }
   return field;
+}
+
+ShadowCells::ShadowCells(const FieldPlace& place) : place_(place), marked_(kFieldCells * kFieldCells) {
+  indices_.reserve(6u * kFieldCells * kFieldCells);
+}
+
+void ShadowCells::clear() { std::fill(marked_.begin(), marked_.end(), std::uint8_t{0}); }
+
+void ShadowCells::add(const Vec3& caster) {
+  constexpr double kReach = 9e-3;                        // [m] folds rise as far as that shifts a shadow; width of an instrument
+  const Vec3 lamp = lightDirection();
+  const double fall = (caster.z() - place_.centre.z()) / lamp.z();                             // [m] along the light
+  const Vec3 p = caster - fall * lamp - place_.centre + Vec3(kFieldHalfSize, kFieldHalfSize, 0);   // [m]
+  if (!(std::abs(p.x()) < 1.0 && std::abs(p.y()) < 1.0)) return;                               // far off, or not a number
+  const int last = kFieldCells - 1;
+  const int i1 = std::min(static_cast<int>(std::floor((p.x() + kReach) / kCell)), last);
+  const int j1 = std::min(static_cast<int>(std::floor((p.y() + kReach) / kCell)), last);
+  for (int j = std::max(static_cast<int>(std::floor((p.y() - kReach) / kCell)), 0); j <= j1; ++j)
+    for (int i = std::max(static_cast<int>(std::floor((p.x() - kReach) / kCell)), 0); i <= i1; ++i) marked_[j * kFieldCells + i] = 1;
+}
+
+const std::vector<std::uint32_t>& ShadowCells::indices() {
+  indices_.clear();
+  for (int j = 0; j < kFieldCells; ++j)
+    for (int i = 0; i < kFieldCells; ++i)
+      if (marked_[j * kFieldCells + i]) addCell(i, j, indices_);
+  return indices_;
 }
 
 }  // namespace halsted::render

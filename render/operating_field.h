@@ -13,6 +13,7 @@ struct FieldPlace {
 };
 
 constexpr double kFieldHalfSize = 0.20;      // [m] half the side of the baked square
+constexpr int kFieldCells = 80;              // a side of the grid it is drawn with
 
 struct OperatingField {
   Shape shape;
@@ -20,5 +21,19 @@ struct OperatingField {
 };
 
 OperatingField makeOperatingField(const FieldPlace&, int pictureSize);
+
+/// Which cells of the grid the lamp's shadows may fall on: only these are drawn again each frame. Never allocates after the first use.
+class ShadowCells {
+ public:
+  explicit ShadowCells(const FieldPlace&);
+  void clear();
+  void add(const Vec3& caster);              // [m] a point of something that casts a shadow
+  const std::vector<std::uint32_t>& indices();   // triangles of the marked cells
+
+ private:
+  FieldPlace place_;
+  std::vector<std::uint8_t> marked_;
+  std::vector<std::uint32_t> indices_;
+};
 
 }  // namespace halsted::render

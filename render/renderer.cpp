@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "render/camera.h"
+#include "render/canvas.h"
 #include "render/context.h"
 #include "render/gpu_mesh.h"
 #include "render/holes.h"
@@ -18,8 +19,8 @@
 namespace halsted::render {
 namespace {
 
-constexpr std::size_t kTriangleBudget = 42000;           // tuned: what one core draws twice in a third of a frame
-constexpr int kShadowSize = 1024, kFieldPicture = 1024;  // texels
+constexpr std::size_t kTriangleBudget = 16000;           // tuned: twice as many cost 3 ms a frame and show no finer outline
+constexpr int kShadowSize = 1024, kFieldPicture = 2048;  // texels
 constexpr float kThreadTint[3] = {0.22f, 0.085f, 0.40f}; // linear [1]; violet, as dyed braided suture is
 
 Program programOf(const char* vertex, const char* fragment) { return makeProgram(shaderHead() + vertex, shaderHead() + fragment); }
@@ -39,8 +40,15 @@ FieldPlace placeOf(const RenderScene& scene) {
 
 struct Renderer::Parts {
   int width, height;
-  std::unique_ptr<Context> context;
-  Program field = programOf(kRigidVertex, kFieldFragment), steel = programOf(kRigidVertex, kSteelFragment);
+  std::unique_ptr<Context> context = createContext();
+  Canvas picture, backdrop;                               // backdrop: the field without shadows, as `backdropView` sees it
+  CameraView backdropView;
+  bool backdropDrawn = false;
+  FieldPlace place;
+  ShadowCells shadowCells;
+  Buffer shadowIndices = makeBuffer();
+  Program field = programOf(kRigidVertex, kFieldFragment), fieldBare = programOf(kRigidVertex, kFieldBareFragment);
+  Program steel = programOf(kRigidVertex, kSteelFragment);
   Program tissueLook = programOf(kTissueVertex, kTissueFragment), threadLook = programOf(kTubeVertex, kThreadFragment);
   Program needleLook = programOf(kTubeVertex, kNeedleFragment), holeLook = programOf(kHoleVertex, kHoleFragment);
   Program rigidDepth = programOf(kRigidVertex, kDepthFragment), tubeDepth = programOf(kTubeVertex, kDepthFragment);
@@ -62,24 +70,28 @@ struct Renderer::Parts {
   Parts(const RenderScene&, int w, int h);
   void drawSolids(const RenderSnapshot&, const Program& rigid) const;
   void drawShadows(const RenderSnapshot&) const;
-  void drawPicture(const RenderSnapshot&, const CameraView&) const;
+  void drawBackdrop(const CameraView&, const Matrix4& view);
+  void drawFieldShadows(const RenderSnapshot&, const CameraView&, const Matrix4& view);
+  void drawWires(const RenderSnapshot&, const CameraView&, const Matrix4& view) const;
+  void drawPicture(const RenderSnapshot&, const CameraView&);
   void use(const Program&, const Matrix4& view, const CameraView&) const;
   bool hasTissue(const RenderSnapshot& s) const { return particles > 0 && s.tissue.size() == particles; }
   bool hasThread(const RenderSnapshot& s) const { return threadNodes >= 2 && s.thread.size() == threadNodes; }
 };
 
 Renderer::Parts::Parts(const RenderScene& scene, int w, int h)
-    : width(w), height(h), context(createContext(w, h)), tissue(scene, kTriangleBudget), threadTube(makeThread(scene.threadNodes)),
+    : width(w), height(h), picture(w, h), backdrop(w, h), place(placeOf(scene)), shadowCells(place), tissue(scene, kTriangleBudget), threadTube(makeThread(scene.threadNodes)),
       thread(uploadTube(threadTube)), needle(uploadTube(makeNeedle(scene.needle))), holes(scene.maxPunctures),
       threadRadius(scene.threadRadius), particles(scene.tissueRest.size()),
       threadNodes(static_cast<std::size_t>(std::max(scene.threadNodes, 0))), hud(scene, w, h) {
-  const FieldPlace place = placeOf(scene);
   const OperatingField drapes = makeOperatingField(place, kFieldPicture);
   ground = uploadShape(drapes.shape);
-  fieldImage = uploadImage(drapes.picture, Tiling::kClamp);
-  tissueImage = uploadImage(makeTissueImage(512), Tiling::kRepeat);
-  clothImage = uploadImage(makeClothImage(256), Tiling::kRepeat);
-  reflection = uploadImage(makeReflectionImage(256), Tiling::kClamp);
+  glBindBuffer(GL_ARRAY_BUFFER, shadowIndices);          // not as indices yet: that would enter the bound vertex array
+  glBufferData(GL_ARRAY_BUFFER, ground.count * static_cast<GLsizeiptr>(sizeof(std::uint32_t)), nullptr, GL_STREAM_DRAW);
+  fieldImage = uploadImage(drapes.picture, Sampling::kOneLevel);
+  tissueImage = uploadImage(makeTissueImage(512), Sampling::kTiles);
+  clothImage = uploadImage(makeClothImage(256), Sampling::kTiles);
+  reflection = uploadImage(makeReflectionImage(256), Sampling::kOneLevel);
   Shape rodShape;
   for (const CapsuleShape& rod : scene.rods) addRod(rodShape, rod);
   rods = uploadShape(rodShape);
@@ -92,20 +104,20 @@ Renderer::Parts::Parts(const RenderScene& scene, int w, int h)
   lampTexture = toTexture(lamp);
   frame = {width, height, std::vector<std::uint8_t>(4u * width * height)};
   glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);                                 // shadows are drawn over the backdrop at the same depth
   glEnable(GL_CULL_FACE);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
 /// Instruments and rods with `rigid`, which is in use.
 void Renderer::Parts::drawSolids(const RenderSnapshot& snapshot, const Program& rigid) const {
-  const auto place = [&](const Pose& pose) { glUniformMatrix4fv(rigid.model, 1, GL_FALSE, matrixOf(pose).data()); };
+  const auto stand = [&](const Pose& pose) { glUniformMatrix4fv(rigid.model, 1, GL_FALSE, matrixOf(pose).data()); };
   for (int hand = 0; hand < kHands; ++hand)
     for (int half = 0; half < 2; ++half) {
       const ToolView& tool = snapshot.tools[hand];
-      place(halfPose(instruments[hand], half, tool.jaw, tool.pose));
+      stand(halfPose(instruments[hand], half, tool.jaw, tool.pose));
       instrumentMeshes[hand][half].draw();
     }
-  place({});
+  stand({});
   rods.draw();
 }
 
@@ -132,34 +144,53 @@ void Renderer::Parts::drawShadows(const RenderSnapshot& snapshot) const {
   if (hasThread(snapshot)) thread.draw();
   glUniformMatrix4fv(tubeDepth.model, 1, GL_FALSE, matrixOf(snapshot.needle).data());
   needle.draw();
-  shadow.end(width, height);
+  shadow.end();
 }
 
-void Renderer::Parts::drawPicture(const RenderSnapshot& snapshot, const CameraView& camera) const {
-  const auto bind = [](TextureUnit unit, const Texture& texture) {
-    glActiveTexture(GL_TEXTURE0 + unit);
-    glBindTexture(GL_TEXTURE_2D, texture);
-  };
-  const Matrix4 view = viewProjection(camera, static_cast<double>(width) / height);
+namespace {
+void bindTexture(TextureUnit unit, const Texture& texture) {
+  glActiveTexture(GL_TEXTURE0 + unit);
+  glBindTexture(GL_TEXTURE_2D, texture);
+}
+bool sameView(const CameraView& a, const CameraView& b) {
+  return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fovDegrees == b.fovDegrees;
+}
+}  // namespace
+
+/// Only when the eye has moved: the field fills the frame, and shading it afresh would take half of the frame's time.
+void Renderer::Parts::drawBackdrop(const CameraView& camera, const Matrix4& view) {
+  if (backdropDrawn && sameView(camera, backdropView)) return;
+  backdrop.bind();
   glClearColor(0.03f, 0.07f, 0.08f, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  bind(kReflectionUnit, reflection);
-  bind(kDetailUnit, clothImage);
-  bind(kSurfaceUnit, tissueImage);
-
-  // Near things first: what they hide is not shaded.
-  use(steel, view, camera);
-  drawSolids(snapshot, steel);
-  use(tissueLook, view, camera);
-  const double open = std::sqrt(std::clamp(snapshot.openingArea / std::max(tissue.openingAtRest(), 1e-9), 0.0, 1.0));   // [1]
-  glUniform1f(tissueLook.open, static_cast<float>(open));
-  if (hasTissue(snapshot)) tissue.draw();
-  bind(kSurfaceUnit, fieldImage);
-  use(field, view, camera);
+  bindTexture(kSurfaceUnit, fieldImage);
+  use(fieldBare, view, camera);
   ground.draw();
+  backdropView = camera;
+  backdropDrawn = true;
+}
 
-  // Wires fade over their last half pixel, which stands in for multisampling; they need what is behind them.
+void Renderer::Parts::drawFieldShadows(const RenderSnapshot& snapshot, const CameraView& camera, const Matrix4& view) {
+  shadowCells.clear();
+  if (hasTissue(snapshot))
+    for (const Vec3& p : snapshot.tissue) shadowCells.add(p);
+  if (hasThread(snapshot))
+    for (const Vec3& p : snapshot.thread) shadowCells.add(p);
+  shadowCells.add(snapshot.needle.position);
+  for (const ToolView& tool : snapshot.tools)
+    for (double z = 0.0; z < 0.152; z += 4e-3)                                   // [m] along the instrument
+      for (const double x : {-1.0, 0.0, 1.0}) shadowCells.add(tool.pose.apply(Vec3(x * (z > 0.1 ? 0.026 : 0.006), 0.0, z)));
+  use(field, view, camera);
   glEnable(GL_BLEND);
+  glBlendFunc(GL_DST_COLOR, GL_ZERO);
+  ground.drawOnly(shadowCells.indices(), shadowIndices);
+  glDisable(GL_BLEND);
+}
+
+/// Wires fade over their last half pixel, which stands in for multisampling; they need what is behind them.
+void Renderer::Parts::drawWires(const RenderSnapshot& snapshot, const CameraView& camera, const Matrix4& view) const {
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   use(holeLook, view, camera);
   glDepthMask(GL_FALSE);
   holes.draw();
@@ -170,6 +201,26 @@ void Renderer::Parts::drawPicture(const RenderSnapshot& snapshot, const CameraVi
   use(threadLook, view, camera);
   if (hasThread(snapshot)) thread.draw();
   glDisable(GL_BLEND);
+}
+
+void Renderer::Parts::drawPicture(const RenderSnapshot& snapshot, const CameraView& camera) {
+  const Matrix4 view = viewProjection(camera, static_cast<double>(width) / height);
+  bindTexture(kReflectionUnit, reflection);
+  bindTexture(kDetailUnit, clothImage);
+  drawBackdrop(camera, view);
+  picture.copyFrom(backdrop);
+  picture.bind();
+
+  // Near things first: what they hide is not shaded.
+  use(steel, view, camera);
+  drawSolids(snapshot, steel);
+  bindTexture(kSurfaceUnit, tissueImage);
+  use(tissueLook, view, camera);
+  const double open = std::sqrt(std::clamp(snapshot.openingArea / std::max(tissue.openingAtRest(), 1e-9), 0.0, 1.0));   // [1]
+  glUniform1f(tissueLook.open, static_cast<float>(open));
+  if (hasTissue(snapshot)) tissue.draw();
+  drawFieldShadows(snapshot, camera, view);
+  drawWires(snapshot, camera, view);
 }
 
 Renderer::Renderer(const RenderScene& scene, int width, int height) : parts_(std::make_unique<Parts>(scene, width, height)) {}
@@ -187,8 +238,7 @@ const Frame& Renderer::draw(const RenderSnapshot& snapshot, const HudInput& hud,
   p.drawShadows(snapshot);
   p.drawPicture(snapshot, camera);
   if (hud.visible) p.hud.draw(snapshot, hud);
-  p.context->finish();
-  std::copy_n(p.context->pixels(), p.frame.rgba.size(), p.frame.rgba.data());
+  p.picture.read(p.frame);
   return p.frame;
 }
 

@@ -19,6 +19,7 @@ layout(location = 1) in vec3 aNormal;
 layout(location = 2) in vec2 aUv;
 layout(location = 3) in vec4 aColor;
 uniform mat4 uModel, uViewProjection, uShadowMatrix;
+invariant gl_Position;                    // the field is drawn twice and must meet itself
 out vec3 vPosition, vNormal, vShadow;
 out vec2 vUv;
 out vec4 vColor;
@@ -88,23 +89,20 @@ void main() {
 
 const char* const kDepthFragment = "void main() {}";
 
+// Multiplies what the backdrop shows; a shadow leaves 0.56 of the square root, 0.31 of the light.
 const char* const kFieldFragment = R"(
-in vec3 vPosition, vNormal, vShadow;
-in vec2 vUv;
-in vec4 vColor;
-uniform sampler2D uSurface, uDetail;
+in vec3 vShadow;
 uniform sampler2DShadow uShadow;
 out vec4 color;
-void main() {
-  vec4 base = texture(uSurface, vUv);
-  vec4 detail = texture(uDetail, vUv * 16.0);
-  float lit = texture(uShadow, vShadow);
-  float wound = clamp(2.0 * base.a - 1.0, 0.0, 1.0), pad = clamp(2.0 * base.a, 0.0, 1.0) - wound;
-  float weave = mix(mix(detail.r, detail.g, pad), 0.6 + 0.5 * detail.a, wound);
-  vec3 c = base.rgb * base.rgb * weave * (0.34 + 0.66 * lit);
-  c += wound * lit * vec3(0.30, 0.26, 0.24) * pow(detail.a, 12.0);   // wet fat glints
-  color = vec4(sqrt(c), 1.0);
-})";
+void main() { color = vec4(vec3(0.56 + 0.44 * texture(uShadow, vShadow)), 1.0); }
+)";
+
+const char* const kFieldBareFragment = R"(
+in vec2 vUv;
+uniform sampler2D uSurface;
+out vec4 color;
+void main() { color = vec4(texture(uSurface, vUv).rgb, 1.0); }
+)";
 
 const char* const kSteelFragment = R"(
 in vec3 vPosition, vNormal, vShadow;
@@ -186,8 +184,7 @@ void main() {
   float det = dot(px, rx);
   n = normalize(abs(det) * n - sign(det) * (dFdx(height) * rx + dFdy(height) * ry));
 
-  float lit = 0.25 * (texture(uShadow, vShadow + vec3(0.0009, 0.0004, 0.0)) + texture(uShadow, vShadow + vec3(-0.0004, 0.0009, 0.0)) +
-                      texture(uShadow, vShadow + vec3(-0.0009, -0.0004, 0.0)) + texture(uShadow, vShadow + vec3(0.0004, -0.0009, 0.0)));
+  float lit = texture(uShadow, vShadow);
   vec3 albedo = vColor.rgb * (0.80 + 0.40 * detail.r);
   albedo = mix(albedo, vec3(0.36, 0.035, 0.035), detail.g * vSurface.r);
   float sky = vColor.a;

@@ -9,7 +9,8 @@ extern const char* const kTissueVertex;
 extern const char* const kTubeVertex;        // thread and needle: TubeVertex
 extern const char* const kHoleVertex;
 extern const char* const kDepthFragment;     // shadow map: nothing
-extern const char* const kFieldFragment;
+extern const char* const kFieldFragment;     // the shadows on it
+extern const char* const kFieldBareFragment; // all but shadows
 extern const char* const kSteelFragment;
 extern const char* const kTissueFragment;
 extern const char* const kThreadFragment;

@@ -33,10 +33,8 @@ void ShadowMap::begin() const {
   glPolygonOffset(1.6f, 4.0f);
 }
 
-void ShadowMap::end(int width, int height) const {
+void ShadowMap::end() const {
   glDisable(GL_POLYGON_OFFSET_FILL);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glViewport(0, 0, width, height);
   glActiveTexture(GL_TEXTURE0 + kShadowUnit);
   glBindTexture(GL_TEXTURE_2D, depth_);
 }

@@ -8,7 +8,7 @@ class ShadowMap {
  public:
   explicit ShadowMap(int size);
   void begin() const;                        // draws go to the map until `end`
-  void end(int width, int height) const;     // pixels of the picture
+  void end() const;                          // the map is on its texture unit; bind a canvas next
 
  private:
   int size_;

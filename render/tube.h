@@ -13,7 +13,7 @@ struct TubeVertex {
 };
 
 struct Tube {
-  static constexpr int kSides = 7;           // plus one that closes the seam of the texture
+  static constexpr int kSides = 6;           // plus one that closes the seam of the texture
   std::vector<TubeVertex> vertices;
   std::vector<std::uint32_t> indices;
 };
