@@ -141,7 +141,7 @@ template <typename L> HALSTED_INLINE void iterate(const Match& d) {
   formMoments<L>(d, particles);
   for (int c = 0; c < clusters; ++c) {
     L sum[3];
-    sumMaps<L>(d.moment, &s.member[s.clusterStart[c]], s.clusterStart[c + 1] - s.clusterStart[c], sum);
+    sumMaps<L>(d.moment, &s.memberOffset[s.clusterStart[c]], s.clusterStart[c + 1] - s.clusterStart[c], sum);
     for (int a = 0; a < 3; ++a) storeLanes(d.map + kMap * c + 4 * a, sum[a]);
   }
   for (int c = 0; c < clusters; c += kLanes) {
