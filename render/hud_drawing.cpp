@@ -43,6 +43,81 @@ struct Pen {
 
 ImU32 forceColor(double force) { return force > 3.0 ? kBad : force > 1.5 ? kWarn : kGood; }   // [N] devices give 3.3 N at most
 
+void drawProcedure(const Pen& pen, const std::string& title, const std::vector<std::string>& ids,
+                   const std::vector<std::string>& instructions, int current) {
+  const int steps = static_cast<int>(ids.size());
+  pen.panel(12, 12, 372, 74.0f + (steps ? 22.0f : 0.0f));
+  pen.text(24, 18, kText, title.c_str(), 16);
+  if (current >= 0 && current < steps) {
+    pen.print(24, 41, kGood, "%d/%d  %s", current + 1, steps, ids[current].c_str());
+    if (current < static_cast<int>(instructions.size())) pen.text(24, 60, kText, instructions[current].c_str(), 13, 350);
+  } else if (steps) {
+    pen.text(24, 41, kGood, "Procedure completed");
+  }
+  float x = 28;                                            // pixels
+  for (int i = 0; i < steps; ++i) {                        // a dot a step: filled when done, ringed when current
+    const ImVec2 c = pen.at(x, 96);
+    if (i < current) pen.list->AddCircleFilled(c, 4.0f * pen.scale, kGood, 12);
+    else pen.list->AddCircle(c, 4.0f * pen.scale, i == current ? kText : kDim, 12, 1.4f * pen.scale);
+    pen.text(x + 7, 88, i == current ? kText : kDim, ids[i].c_str(), 12);
+    x += 16.0f + pen.width(ids[i].c_str(), 12) + 6.0f;
+    if (x > 372) break;
+  }
+}
+
+void drawHand(const Pen& pen, float x, float y, const char* hand, ToolKind tool, double force, double jaw) {   // force [N], jaw [1]
+  pen.panel(x, y, 216, 50);
+  pen.print(x + 12, y + 6, kText, "%s  %s", hand, tool == ToolKind::kNeedleDriver ? "needle driver" : "forceps");
+  char line[32];
+  std::snprintf(line, sizeof line, "%.2f N", force);
+  pen.text(x + 204 - pen.width(line), y + 6, forceColor(force), line);
+  pen.bar(x + 12, y + 29, 192, static_cast<float>(force / 3.3), forceColor(force));
+  pen.list->AddRectFilled(pen.at(x + 12, y + 39), pen.at(x + 12 + 192.0f * static_cast<float>(std::clamp(jaw, 0.0, 1.0)), y + 41), kDim);
+}
+
+void drawMeasures(const Pen& pen, float right, float y, const RenderSnapshot& s) {
+  const float x = 0.5f * right - 250.0f;                   // pixels
+  pen.panel(x, y, 500, 50);
+  struct Cell { const char* name; char value[24]; ImU32 color; } cells[5] = {
+      {"time", {}, kText}, {"thread", {}, forceColor(0.6 * s.threadTension)}, {"bites", {}, kText},
+      {"faults", {}, s.faults ? kBad : kGood}, {"opening", {}, kText}};
+  std::snprintf(cells[0].value, sizeof cells[0].value, "%.1f s", s.time);
+  std::snprintf(cells[1].value, sizeof cells[1].value, "%.2f N", s.threadTension);
+  std::snprintf(cells[2].value, sizeof cells[2].value, "%u", s.bites);
+  std::snprintf(cells[3].value, sizeof cells[3].value, "%u", s.faults);
+  std::snprintf(cells[4].value, sizeof cells[4].value, "%.2f cm\xc2\xb2", 1e4 * s.openingArea);
+  for (int i = 0; i < 5; ++i) {
+    const float centre = x + 50.0f + 100.0f * static_cast<float>(i);   // pixels
+    pen.text(centre - 0.5f * pen.width(cells[i].name, 12), y + 5, kDim, cells[i].name, 12);
+    pen.text(centre - 0.5f * pen.width(cells[i].value, 18), y + 22, cells[i].color, cells[i].value, 18);
+  }
+}
+
+void drawTiming(const Pen& pen, float right, const HudInput& hud) {
+  const float x = right - 252.0f;                          // pixels
+  pen.panel(x, 12, 240, 64);
+  pen.print(x + 12, 17, hud.stale ? kBad : kDim, "haptics  %.0f Hz  late %.0f us", hud.hapticRate, hud.hapticLateness);
+  pen.print(x + 12, 36, hud.late ? kWarn : kDim, "physics  %.2f ms  late %llu", hud.physics.stepMilliseconds,
+            static_cast<unsigned long long>(hud.physics.lateSteps));
+  pen.print(x + 12, 55, kDim, "picture  %.0f / s", hud.framesPerSecond);
+}
+
+void drawWarnings(const Pen& pen, float right, const HudInput& hud) {
+  float y = 118;                                           // pixels
+  const auto banner = [&](const char* words, ImU32 color) {
+    const float w = pen.width(words, 17) + 40.0f, x = 0.5f * (right - w);   // pixels
+    pen.panel(x, y, w, 32);
+    pen.list->AddRectFilled(pen.at(x, y), pen.at(x + 5, y + 32), color);
+    pen.text(x + 20, y + 6, color, words, 17);
+    y += 38;
+  };
+  if (hud.stale) banner("Physics stalled: forces are faded out", kBad);
+  if (hud.late) banner("Physics is late: the scene runs slower than the clock", kWarn);
+  for (int hand = 0; hand < kHands; ++hand)
+    if (hud.haptic.faultCode[hand]) banner(hand == kLeft ? "Left device: force switched off" : "Right device: force switched off", kBad);
+  if (!hud.message.empty()) banner(hud.message.c_str(), kWarn);
+}
+
 }  // namespace
 
 HudDrawing::HudDrawing(const RenderScene& scene, int width, int height)
@@ -77,11 +152,16 @@ void HudDrawing::draw(const RenderSnapshot& snapshot, const HudInput& hud) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   const Pen pen{ImGui::GetBackgroundDrawList(), scale_};
-  const float right = width_ / scale_, bottom = height_ / scale_;
-  pen.panel(12, 12, 360, 60);
-  pen.text(24, 18, kText, title_.c_str(), 17);
-  pen.print(24, 42, kDim, "%.1f s", snapshot.time);
-  (void)right; (void)bottom; (void)hud; (void)forceColor; (void)kGood;
+  const float right = width_ / scale_, bottom = height_ / scale_;   // pixels of a 720-line picture
+  drawProcedure(pen, title_, ids_, instructions_, snapshot.procedureStep);
+  for (int hand = 0; hand < kHands; ++hand) {
+    const double force = (hud.live ? hud.haptic.force[hand] : snapshot.tools[hand].force).norm();   // [N]
+    drawHand(pen, hand == kLeft ? 12.0f : right - 228.0f, bottom - 62.0f, hand == kLeft ? "Left" : "Right", tools_[hand], force,
+             snapshot.tools[hand].jaw);
+  }
+  drawMeasures(pen, right, bottom - 62.0f, snapshot);
+  if (hud.live) drawTiming(pen, right, hud);
+  drawWarnings(pen, right, hud);
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }

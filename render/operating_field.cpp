@@ -34,44 +34,58 @@ Ground drapeAt(double x, double y) {                                            
   const double crumple = fractalNoise(1.4 * x, 1.4 * y, 4.0, 3);                               // [1]
   Ground g;
   g.height = 6.5e-3 * fold + 4.5e-3 * cross + 1.6e-3 * crumple;
-  g.shade = 0.55 + 0.45 * smoothStep(0.0, 0.7, fold + 0.7 * cross);
+  const double weave = 0.5 + 0.5 * std::sin(110.0 * x) * std::sin(110.0 * y);                  // [1]
+  g.shade = (0.55 + 0.45 * smoothStep(0.0, 0.7, fold + 0.7 * cross)) * (0.90 + 0.14 * weave);
   g.color = Vec3(0.030, 0.150, 0.185) * (0.9 + 0.25 * crumple);
   return g;
 }
 
+/// Gauze: two families of soft threads, bright where they cross.
+double gauze(double u, double v) {                                                            // [1] threads
+  const double a = 0.5 + 0.5 * std::sin(u), b = 0.5 + 0.5 * std::sin(v);                       // [1]
+  return 0.76 + 0.12 * (a + b) + 0.10 * a * b;
+}
+
 void layPad(double x, double y, double d, double seed, Ground& g) {                           // [1] organ radii
-  const double inside = smoothStep(0.10, -0.22, d);                                           // [1]
+  if (d > 0.5) return;
+  const double warp = fractalNoise(0.7 * x + seed, 0.7 * y, 2.0 + seed, 3);                   // [1]
+  const double inside = smoothStep(0.02, -0.05, d + 0.10 * (warp - 0.5));                     // [1]
   if (inside <= 0.0) {
-    g.shade *= 0.55 + 0.45 * smoothStep(0.0, 0.45, d);                                        // contact shadow on what lies below
+    g.shade *= 0.40 + 0.60 * smoothStep(-0.05, 0.40, d);                                      // contact shadow on what lies below
     return;
   }
-  const double warp = fractalNoise(0.7 * x + seed, 0.7 * y, 2.0 + seed, 3);                   // [1]
   const double fold = std::pow(0.5 + 0.5 * std::sin(2.6 * (0.5 * x - y) + 8.0 * warp + seed), 2.0);   // [1]
-  const double soak = smoothStep(2.5, 1.25, std::hypot(x, y) + 1.3 * (warp - 0.5));           // [1] fluid near the wound
-  const double blood = smoothStep(0.60, 0.74, fractalNoise(0.9 * x + 2 * seed, 0.9 * y, 6.0, 3)) * smoothStep(3.0, 1.4, std::hypot(x, y));
-  Vec3 color = Vec3(0.74, 0.72, 0.66) * (1.0 - 0.25 * soak);
-  color = color.cwiseProduct(Vec3(1.0, 1.0 - 0.38 * soak - 0.5 * blood, 1.0 - 0.40 * soak - 0.5 * blood));
-  const double hem = std::abs(d + 0.42);                                                      // [1] blue marker thread along the hem
-  if (hem < 0.05) color = Vec3(0.03, 0.10, 0.30);
-  g.height = (1.0 - inside) * g.height + inside * (6e-3 + 3.2e-3 * fold + 1e-3 * warp);
+  const double crease = fractalNoise(2.2 * x + seed, 2.2 * y, 9.0 + seed, 3);                 // [1]
+  const double soak = smoothStep(2.4, 1.2, std::hypot(x, y) + 1.3 * (warp - 0.5));            // [1] fluid near the wound
+  const double blood = smoothStep(0.60, 0.72, fractalNoise(0.9 * x + 2 * seed, 0.9 * y, 6.0, 4)) * smoothStep(3.0, 1.4, std::hypot(x, y));
+  Vec3 color = Vec3(0.80, 0.79, 0.75) * (1.0 - 0.22 * soak);
+  color = color.cwiseProduct(Vec3(1.0, 1.0 - 0.42 * soak - 0.52 * blood, 1.0 - 0.46 * soak - 0.52 * blood).cwiseMax(Vec3::Constant(0.06)));
+  const double hem = smoothStep(0.030, 0.012, std::abs(d + 0.30)) * smoothStep(-0.4, 0.3, std::sin(34.0 * (x + 1.3 * y)));   // [1]
+  color = (1.0 - hem) * color + hem * Vec3(0.05, 0.13, 0.42);                                 // stitches of the marker thread
+  const double roll = smoothStep(-0.22, 0.0, d);                                              // [1] the hem curls down
+  g.height = (1.0 - inside) * g.height + inside * (6.5e-3 + 3.0e-3 * fold + 2.2e-3 * crease - 3.0e-3 * roll * roll);
   g.color = (1.0 - inside) * g.color + inside * color;
-  g.shade = (1.0 - inside) * g.shade + inside * (0.62 + 0.38 * fold);
+  g.shade = (1.0 - inside) * g.shade + inside * (0.60 + 0.40 * fold) * gauze(150.0 * x + 9.0 * warp, 150.0 * y + 9.0 * crease);
   g.kind = inside > 0.5 ? 0.5 : g.kind;
 }
 
 void openWound(double x, double y, Ground& g) {                                               // [1] organ radii
   const double r = std::hypot(x, y), a = std::atan2(y, x);                                     // [1], [rad]
+  if (r > 2.0) return;
   const double edge = 1.42 + 0.16 * noise(1.3 * std::cos(a) + 5.0, 1.3 * std::sin(a), 3.0) + 0.05 * std::sin(5.0 * a);   // [1]
-  const double inside = smoothStep(edge + 0.05, edge - 0.10, r);                               // [1]
-  if (inside <= 0.0) return;
-  const double lobes = std::abs(std::sin(9.0 * fractalNoise(1.6 * x, 1.6 * y, 7.0, 3)));       // [1]
+  const double inside = smoothStep(edge + 0.02, edge - 0.05, r);                               // [1]
+  if (inside <= 0.0) {
+    g.shade *= 0.55 + 0.45 * smoothStep(edge, edge + 0.2, r);
+    return;
+  }
+  const double lobes = std::sqrt(std::abs(std::sin(14.0 * fractalNoise(2.4 * x, 2.4 * y, 7.0, 3))));   // [1]
   const double deep = smoothStep(edge, 0.95, r);                                              // [1]
   const double red = smoothStep(0.35, 0.65, fractalNoise(1.2 * x, 1.2 * y, 11.0, 3));          // [1]
-  Vec3 color = (1.0 - red) * Vec3(0.62, 0.40, 0.13) + red * Vec3(0.40, 0.075, 0.055);          // fat and raw muscle
+  Vec3 color = (1.0 - red) * Vec3(0.72, 0.47, 0.15) + red * Vec3(0.44, 0.070, 0.055);          // fat and raw muscle
   color = (1.0 - 0.6 * deep) * color + 0.6 * deep * Vec3(0.22, 0.02, 0.018);
-  g.height = (1.0 - inside) * g.height + inside * (1e-3 - 9e-3 * deep + 1.6e-3 * lobes);
+  g.height = (1.0 - inside) * g.height + inside * (2e-3 - 10e-3 * deep + 1.3e-3 * lobes);
   g.color = (1.0 - inside) * g.color + inside * color;
-  g.shade = (1.0 - inside) * g.shade + inside * (0.75 - 0.62 * deep) * (0.6 + 0.4 * lobes);
+  g.shade = (1.0 - inside) * g.shade + inside * (0.95 - 0.78 * deep) * (0.35 + 0.65 * lobes) * smoothStep(0.82, 1.0, r);
   g.kind = inside > 0.5 ? 1.0 : g.kind;
 }
 
@@ -94,6 +108,12 @@ void addCell(int i, int j, std::vector<std::uint32_t>& indices) {
   indices.insert(indices.end(), {at(0, 0), at(1, 0), at(1, 1), at(0, 0), at(1, 1), at(0, 1)});
 }
 
+/// Cells inside the organ are left out: its lumen goes on below the skin.
+bool underOrgan(int i, int j, const FieldPlace& place) {
+  const double x = (i + 0.5) * kCell - kFieldHalfSize, y = (j + 0.5) * kCell - kFieldHalfSize;   // [m]
+  return std::hypot(x, y) + 0.5 * kCell < 0.85 * place.radius;
+}
+
 Shape makeGrid(const FieldPlace& place) {
   Shape shape;
   for (int j = 0; j <= kFieldCells; ++j)
@@ -109,7 +129,8 @@ Shape makeGrid(const FieldPlace& place) {
       shape.vertices.push_back(vertex);
     }
   for (int j = 0; j < kFieldCells; ++j)
-    for (int i = 0; i < kFieldCells; ++i) addCell(i, j, shape.indices);
+    for (int i = 0; i < kFieldCells; ++i)
+      if (!underOrgan(i, j, place)) addCell(i, j, shape.indices);
   return shape;
 }
 
@@ -132,7 +153,8 @@ OperatingField makeOperatingField(const FieldPlace& place, int size) {
       const Ground& g = at(x, y);
       const Vec3 n = Vec3(at(x - 1, y).height - at(x + 1, y).height, at(x, y - 1).height - at(x, y + 1).height, 2.0 * texel).normalized();
       const double light = g.shade * (0.30 + 1.05 * std::max(0.0, 0.15 + 0.85 * n.dot(lamp)));   // [1]
-      const Vec3 lit = g.color * light * pool(((x + 0.5) * texel - kFieldHalfSize) / place.radius,
+      const double glint = g.kind > 0.9 ? 0.5 * std::pow(std::max(0.0, n.dot((lamp + Vec3::UnitZ()).normalized())), 40.0) * g.shade : 0.0;   // [1] wet
+      const Vec3 lit = (g.color * light + Vec3::Constant(glint)) * pool(((x + 0.5) * texel - kFieldHalfSize) / place.radius,
                                               ((y + 0.5) * texel - kFieldHalfSize) / place.radius);
       std::uint8_t* out = &field.picture.rgba[4u * (static_cast<std::size_t>(y) * size + x)];
       for (int k = 0; k < 3; ++k) out[k] = static_cast<std::uint8_t>(std::lround(255.0 * std::sqrt(std::clamp(lit[k], 0.0, 1.0))));
@@ -164,7 +186,7 @@ const std::vector<std::uint32_t>& ShadowCells::indices() {
   indices_.clear();
   for (int j = 0; j < kFieldCells; ++j)
     for (int i = 0; i < kFieldCells; ++i)
-      if (marked_[j * kFieldCells + i]) addCell(i, j, indices_);
+      if (marked_[j * kFieldCells + i] && !underOrgan(i, j, place_)) addCell(i, j, indices_);
   return indices_;
 }
 

@@ -12,7 +12,7 @@ struct FieldPlace {
   double radius = 0.02;                      // [m] of the organ there
 };
 
-constexpr double kFieldHalfSize = 0.20;      // [m] half the side of the baked square
+constexpr double kFieldHalfSize = 0.17;      // [m] half the side of the baked square
 constexpr int kFieldCells = 80;              // a side of the grid it is drawn with
 
 struct OperatingField {

@@ -20,7 +20,7 @@ namespace halsted::render {
 namespace {
 
 constexpr std::size_t kTriangleBudget = 16000;           // tuned: twice as many cost 3 ms a frame and show no finer outline
-constexpr int kShadowSize = 1024, kFieldPicture = 2048;  // texels
+constexpr int kShadowSize = 1024;                        // texels
 constexpr float kThreadTint[3] = {0.22f, 0.085f, 0.40f}; // linear [1]; violet, as dyed braided suture is
 
 Program programOf(const char* vertex, const char* fragment) { return makeProgram(shaderHead() + vertex, shaderHead() + fragment); }
@@ -51,7 +51,8 @@ struct Renderer::Parts {
   Program steel = programOf(kRigidVertex, kSteelFragment);
   Program tissueLook = programOf(kTissueVertex, kTissueFragment), threadLook = programOf(kTubeVertex, kThreadFragment);
   Program needleLook = programOf(kTubeVertex, kNeedleFragment), holeLook = programOf(kHoleVertex, kHoleFragment);
-  Program rigidDepth = programOf(kRigidVertex, kDepthFragment), tubeDepth = programOf(kTubeVertex, kDepthFragment);
+  Program rigidDepth = programOf(kRigidVertex, kDepthFragment), instrumentDepth = programOf(kInstrumentDepthVertex, kDepthFragment);
+  Program tubeDepth = programOf(kTubeVertex, kDepthFragment);
   ShadowMap shadow{kShadowSize};
   Texture tissueImage, clothImage, reflection, fieldImage;
   GpuMesh ground, rods;
@@ -68,7 +69,7 @@ struct Renderer::Parts {
   Frame frame;
 
   Parts(const RenderScene&, int w, int h);
-  void drawSolids(const RenderSnapshot&, const Program& rigid) const;
+  void drawInstruments(const RenderSnapshot&, const Program&) const;
   void drawShadows(const RenderSnapshot&) const;
   void drawBackdrop(const CameraView&, const Matrix4& view);
   void drawFieldShadows(const RenderSnapshot&, const CameraView&, const Matrix4& view);
@@ -84,7 +85,7 @@ Renderer::Parts::Parts(const RenderScene& scene, int w, int h)
       thread(uploadTube(threadTube)), needle(uploadTube(makeNeedle(scene.needle))), holes(scene.maxPunctures),
       threadRadius(scene.threadRadius), particles(scene.tissueRest.size()),
       threadNodes(static_cast<std::size_t>(std::max(scene.threadNodes, 0))), hud(scene, w, h) {
-  const OperatingField drapes = makeOperatingField(place, kFieldPicture);
+  const OperatingField drapes = makeOperatingField(place, std::clamp(2 * h, 256, 1536));
   ground = uploadShape(drapes.shape);
   glBindBuffer(GL_ARRAY_BUFFER, shadowIndices);          // not as indices yet: that would enter the bound vertex array
   glBufferData(GL_ARRAY_BUFFER, ground.count * static_cast<GLsizeiptr>(sizeof(std::uint32_t)), nullptr, GL_STREAM_DRAW);
@@ -108,17 +109,14 @@ Renderer::Parts::Parts(const RenderScene& scene, int w, int h)
   glEnable(GL_CULL_FACE);
 }
 
-/// Instruments and rods with `rigid`, which is in use.
-void Renderer::Parts::drawSolids(const RenderSnapshot& snapshot, const Program& rigid) const {
-  const auto stand = [&](const Pose& pose) { glUniformMatrix4fv(rigid.model, 1, GL_FALSE, matrixOf(pose).data()); };
+void Renderer::Parts::drawInstruments(const RenderSnapshot& snapshot, const Program& program) const {
   for (int hand = 0; hand < kHands; ++hand)
     for (int half = 0; half < 2; ++half) {
       const ToolView& tool = snapshot.tools[hand];
-      stand(halfPose(instruments[hand], half, tool.jaw, tool.pose));
+      const Matrix4 stand = matrixOf(halfPose(instruments[hand], half, tool.jaw, tool.pose));
+      glUniformMatrix4fv(program.model, 1, GL_FALSE, stand.data());
       instrumentMeshes[hand][half].draw();
     }
-  stand({});
-  rods.draw();
 }
 
 void Renderer::Parts::use(const Program& program, const Matrix4& view, const CameraView& camera) const {
@@ -138,7 +136,9 @@ void Renderer::Parts::drawShadows(const RenderSnapshot& snapshot) const {
   shadow.begin();
   use(rigidDepth, lamp, none);
   if (hasTissue(snapshot)) tissue.draw();
-  drawSolids(snapshot, rigidDepth);
+  rods.draw();
+  use(instrumentDepth, lamp, none);
+  drawInstruments(snapshot, instrumentDepth);
   use(tubeDepth, lamp, none);
   glUniform1f(tubeDepth.pixelSize, 0.0f);
   if (hasThread(snapshot)) thread.draw();
@@ -161,7 +161,7 @@ bool sameView(const CameraView& a, const CameraView& b) {
 void Renderer::Parts::drawBackdrop(const CameraView& camera, const Matrix4& view) {
   if (backdropDrawn && sameView(camera, backdropView)) return;
   backdrop.bind();
-  glClearColor(0.03f, 0.07f, 0.08f, 1.0f);
+  glClearColor(0.035f, 0.02f, 0.02f, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   bindTexture(kSurfaceUnit, fieldImage);
   use(fieldBare, view, camera);
@@ -178,8 +178,7 @@ void Renderer::Parts::drawFieldShadows(const RenderSnapshot& snapshot, const Cam
     for (const Vec3& p : snapshot.thread) shadowCells.add(p);
   shadowCells.add(snapshot.needle.position);
   for (const ToolView& tool : snapshot.tools)
-    for (double z = 0.0; z < 0.152; z += 4e-3)                                   // [m] along the instrument
-      for (const double x : {-1.0, 0.0, 1.0}) shadowCells.add(tool.pose.apply(Vec3(x * (z > 0.1 ? 0.026 : 0.006), 0.0, z)));
+    for (double z = 0.0; z < 0.101; z += 4e-3) shadowCells.add(tool.pose.apply(Vec3(0.0, 0.0, z)));   // [m] up to where its shadow ends
   use(field, view, camera);
   glEnable(GL_BLEND);
   glBlendFunc(GL_DST_COLOR, GL_ZERO);
@@ -213,7 +212,8 @@ void Renderer::Parts::drawPicture(const RenderSnapshot& snapshot, const CameraVi
 
   // Near things first: what they hide is not shaded.
   use(steel, view, camera);
-  drawSolids(snapshot, steel);
+  rods.draw();
+  drawInstruments(snapshot, steel);
   bindTexture(kSurfaceUnit, tissueImage);
   use(tissueLook, view, camera);
   const double open = std::sqrt(std::clamp(snapshot.openingArea / std::max(tissue.openingAtRest(), 1e-9), 0.0, 1.0));   // [1]

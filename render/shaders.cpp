@@ -33,6 +33,15 @@ void main() {
   gl_Position = uViewProjection * world;
 })";
 
+// An operating lamp is wide: the core of a shadow narrows with the distance of what casts it. An instrument thins toward the hand.
+const char* const kInstrumentDepthVertex = R"(
+layout(location = 0) in vec3 aPosition;
+uniform mat4 uModel, uViewProjection;
+void main() {
+  float core = clamp(1.15 - aPosition.z / 0.085, 0.0, 1.0);
+  gl_Position = uViewProjection * uModel * vec4(aPosition.xy * core, min(aPosition.z, 0.1), 1.0);
+})";
+
 const char* const kTissueVertex = R"(
 layout(location = 0) in vec3 aPosition;
 layout(location = 1) in vec3 aNormal;
@@ -69,7 +78,7 @@ void main() {
   vec3 centre = (uModel * vec4(aCentre, 1.0)).xyz;
   vNormal = mat3(uModel) * aNormal;
   float pixel = uPixelSize * distance(uEye, centre);
-  float radius = max(aTube.x, 0.45 * pixel) + 0.5 * pixel;   // half a pixel more, which the edge fades over
+  float radius = max(aTube.x, 0.75 * pixel) + 0.5 * pixel;   // half a pixel more, which the edge fades over
   vPixels = radius / max(pixel, 1e-9);
   vPosition = centre + vNormal * radius;
   vShadow = (uShadowMatrix * vec4(vPosition, 1.0)).xyz;
@@ -114,13 +123,15 @@ uniform vec3 uEye;
 out vec4 color;
 void main() {
   vec3 n = normalize(vNormal), v = normalize(uEye - vPosition);
-  float streak = texture(uDetail, vec2(vUv.y * 12.0, vUv.x * 2.0)).b - 0.5;   // brushed across the shaft
-  n = normalize(n + 0.16 * streak);
+  float streak = texture(uDetail, vec2(vUv.y * 30.0, vUv.x)).b - 0.5;   // brushed across the shaft: blurs reflections along it
+  n = normalize(n + streak * vec3(0.06, 0.09, 0.06));
   vec3 r = reflect(-v, n) + vec3(0.0, 0.0, 1.0);
   vec3 seen = texture(uReflection, 0.5 + 0.5 * r.xy * inversesqrt(dot(r, r))).rgb;
   float lit = texture(uShadow, vShadow);
+  float edge = 1.0 - clamp(dot(n, v), 0.0, 1.0);
   vec3 steel = vColor.rgb * vColor.rgb;
-  vec3 c = steel * (4.0 * seen * seen * (0.45 + 0.55 * lit) * 0.72 + 0.22 * lit * max(dot(n, kLamp), 0.0) + 0.05);
+  steel += (1.0 - steel) * edge * edge * edge * 0.6;
+  vec3 c = steel * (4.0 * seen * seen * (0.5 + 0.5 * lit) + 0.10 * lit * max(dot(n, kLamp), 0.0) + 0.03) * (1.0 + 0.25 * streak);
   color = vec4(sqrt(c), 1.0);
 })";
 
@@ -157,7 +168,8 @@ void main() {
   float braid = sin(3.0 * turns + along * 1500.0) * sin(3.0 * turns - along * 1500.0);
   float near = clamp(vPixels * 0.2 - 0.6, 0.0, 1.0);                       // the braid only where it can be resolved
   float lit = texture(uShadow, vShadow + vec3(0.0, 0.0, -0.0015));
-  vec3 base = uTint * (0.45 + 0.95 * ply) * (1.0 + 0.5 * near * braid);
+  ply = mix(0.62, ply, clamp(vPixels * 0.55 - 0.6, 0.25, 1.0));
+  vec3 base = uTint * (0.40 + 0.95 * ply) * (1.0 + 0.5 * near * braid);
   float diffuse = clamp(dot(n, kLamp) * 0.7 + 0.3, 0.0, 1.0);
   vec3 h = normalize(v + kLamp);
   float s = clamp(dot(n, h), 0.0, 1.0); s *= s; s *= s; s *= s; s *= s;
@@ -182,11 +194,13 @@ void main() {
   float height = detail.b * vSurface.g * 0.0011;
   vec3 rx = cross(py, n), ry = cross(n, px);
   float det = dot(px, rx);
-  n = normalize(abs(det) * n - sign(det) * (dFdx(height) * rx + dFdy(height) * ry));
+  vec3 slope = sign(det) * (dFdx(height) * rx + dFdy(height) * ry);
+  vec3 film = normalize(abs(det) * n - 0.35 * slope);       // fluid fills the finest dents: broad, wet lights
+  n = normalize(abs(det) * n - slope);
 
   float lit = texture(uShadow, vShadow);
   vec3 albedo = vColor.rgb * (0.80 + 0.40 * detail.r);
-  albedo = mix(albedo, vec3(0.36, 0.035, 0.035), detail.g * vSurface.r);
+  albedo = mix(albedo, vec3(0.34, 0.022, 0.030), detail.g * vSurface.r);
   float sky = vColor.a;
   float towards = dot(n, kLamp);
   vec3 wrap = vec3(0.42, 0.22, 0.18);                       // red light scatters furthest in the wall
@@ -197,12 +211,13 @@ void main() {
 
   float grazing = 1.0 - facing; grazing *= grazing; grazing *= grazing;
   float gloss = vSurface.b * (0.45 + 0.75 * detail.a);
-  float s = clamp(dot(n, normalize(v + kLamp)), 0.0, 1.0);
+  float s = clamp(dot(film, normalize(v + kLamp)), 0.0, 1.0);
   s *= s; s *= s; s *= s; float broad = s * s;              // power 16
   s = broad * broad; s *= s; s *= s;                        // power 128
-  vec3 r = reflect(-v, n) + vec3(0.0, 0.0, 1.0);
+  vec3 r = reflect(-v, film) + vec3(0.0, 0.0, 1.0);
   vec3 seen = texture(uReflection, 0.5 + 0.5 * r.xy * inversesqrt(dot(r, r))).rgb;
-  c += gloss * ((1.5 * s + 0.10 * broad) * lit + (0.035 + 0.30 * grazing) * 4.0 * seen * seen * sky * (0.4 + 0.6 * lit));
+  seen *= seen;                                             // lamps are far brighter than walls: the square keeps them so
+  c += gloss * ((1.9 * s + 0.13 * broad) * lit + ((0.10 + 0.45 * grazing) * seen + 2.2 * seen * seen) * sky * (0.35 + 0.65 * lit));
   color = vec4(sqrt(c), 1.0);
 })";
 

@@ -5,6 +5,7 @@
 namespace halsted::render {
 
 extern const char* const kRigidVertex;       // instruments, rods, field: ShapeVertex
+extern const char* const kInstrumentDepthVertex;
 extern const char* const kTissueVertex;
 extern const char* const kTubeVertex;        // thread and needle: TubeVertex
 extern const char* const kHoleVertex;

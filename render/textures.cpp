@@ -29,7 +29,7 @@ void stamp(Field& field, double x, double y, double width) {       // pixels
       const double px = std::floor(x) + dx, py = std::floor(y) + dy;                  // pixels
       const double d = std::hypot(px - x, py - y);                                    // pixels
       double& v = field.at(static_cast<int>(px), static_cast<int>(py));
-      v = std::max(v, smoothStep(width + 0.9, width - 0.6, d) * std::min(1.0, 0.35 + 0.4 * width));
+      v = std::max(v, smoothStep(width + 0.9, width - 0.6, d) * std::min(1.0, 0.45 + 0.45 * width));
     }
 }
 
@@ -53,8 +53,8 @@ void grow(Field& field, Vessel v, unsigned& seed) {
 Field makeVessels(int size) {
   Field field{size, std::vector<double>(static_cast<std::size_t>(size) * size, 0.0)};
   unsigned seed = 20;
-  for (int k = 0; k < 5; ++k)
-    grow(field, {0.13 * size * k, (0.2 * k + 0.07) * size, (k % 2 ? 0.5 : 0.0) * kTurn + 0.2, 2.1 - 0.2 * k, 0}, seed);
+  for (int k = 0; k < 7; ++k)
+    grow(field, {0.13 * size * k, (0.143 * k + 0.07) * size, (k % 2 ? 0.5 : 0.0) * kTurn + 0.2, 2.6 - 0.2 * k, 0}, seed);
   return field;
 }
 
@@ -69,15 +69,19 @@ Image fill(int size, Pixel pixel) {
   return image;
 }
 
+Vec3 mixed(const Vec3& a, const Vec3& b, double t) { return (1.0 - t) * a + t * b; }   // [1]
+
 double bulge(double x) { return std::abs(std::sin(0.5 * kTurn * x)); }                 // [1]
 
 /// Ceiling, lamp with its ring of bulbs, bright walls, the dark band of gowns around the table, drapes below.
 Vec3 theatre(const Vec3& d) {                                                          // unit direction; linear light [1]
   const double up = d.z();                                                             // [1] toward the surgeon and the lamp
-  Vec3 light = Vec3(0.10, 0.17, 0.17) + smoothStep(-0.5, 0.1, up) * Vec3(0.02, 0.01, 0.03);
-  light += smoothStep(0.05, 0.35, up) * smoothStep(0.75, 0.5, up) * Vec3(0.55, 0.57, 0.60);
-  light += smoothStep(0.6, 0.95, up) * Vec3(0.18, 0.19, 0.20);
-  light += smoothStep(0.86, 0.93, d.x() * 0.6 - d.y() * 0.3 + up * 0.72) * Vec3(0.8, 0.82, 0.85);   // a window's panel
+  Vec3 light = mixed(Vec3(0.22, 0.27, 0.28), Vec3(0.05, 0.06, 0.065), smoothStep(-0.5, 0.05, up));
+  light += smoothStep(0.10, 0.24, up) * smoothStep(0.72, 0.42, up) * Vec3(0.62, 0.65, 0.70);          // bright walls
+  light += smoothStep(0.55, 0.70, up) * smoothStep(0.86, 0.76, up) * Vec3(0.20, 0.22, 0.23);         // gowns and masks
+  light += smoothStep(0.80, 0.96, up) * Vec3(0.48, 0.49, 0.51);                                       // ceiling
+  light += smoothStep(0.90, 0.95, 0.75 * d.x() - 0.25 * d.y() + 0.60 * up) * Vec3(0.9, 0.93, 1.0);    // two light panels
+  light += smoothStep(0.91, 0.95, -0.82 * d.x() + 0.15 * d.y() + 0.55 * up) * Vec3(0.8, 0.83, 0.9);
   const Vec3 lamp = lightDirection();
   const Vec3 side = lamp.cross(Vec3::UnitX()).normalized(), other = lamp.cross(side);
   double bulbs = 1.5 * smoothStep(0.955, 0.975, d.dot(lamp));                          // [1]

@@ -48,13 +48,13 @@ struct Shading { Vec3 color; double sky, vessels, bumps, gloss; };              
 Shading serosa(const Vec3& p, double turn, const RestShape& rest) {                    // [m], [1]
   const Vec3 q = 90.0 * p;                                                             // features of a centimetre
   const double blush = fractalNoise(q.x(), q.y(), q.z(), 3);                           // [1]
-  Vec3 color = mixed(Vec3(0.70, 0.34, 0.29), Vec3(0.60, 0.19, 0.17), smoothStep(0.32, 0.68, blush));
+  Vec3 color = mixed(Vec3(0.66, 0.32, 0.26), Vec3(0.56, 0.16, 0.14), smoothStep(0.32, 0.68, blush));
   const double third = std::abs(turn * 3.0 - std::round(turn * 3.0)) / 3.0;            // [1] turn to the nearest taenia coli
   color = mixed(color, Vec3(0.76, 0.46, 0.38), 0.55 * smoothStep(0.035, 0.015, third));
   const double fat = smoothStep(0.56, 0.66, fractalNoise(1.3 * q.x() + 7, 1.3 * q.y(), 0.8 * q.z(), 3)) * smoothStep(0.10, 0.05, third);
   color = mixed(color, Vec3(0.74, 0.50, 0.20), 0.55 * fat);                            // a few fatty tags beside the taeniae
   const double down = smoothStep(rest.bottom + 0.02 * (rest.top - rest.bottom), rest.bottom + 0.45 * (rest.top - rest.bottom), p.z());
-  return {color, 0.25 + 0.75 * down, 0.85 * (1.0 - 0.6 * fat), 0.55 + 0.3 * fat, 0.85};
+  return {color, 0.25 + 0.75 * down, 0.95 * (1.0 - 0.6 * fat), 0.42 + 0.4 * fat, 1.0};
 }
 
 Shading mucosa(const Vec3& p, const RestShape& rest) {
@@ -67,16 +67,18 @@ Shading mucosa(const Vec3& p, const RestShape& rest) {
 }
 
 Shading cutEdge(const Vec3& p) {
-  const Vec3 q = 350.0 * p;
+  const Vec3 q = 260.0 * p;
   const double blood = smoothStep(0.48, 0.66, fractalNoise(q.x(), q.y(), q.z(), 3));   // [1]
-  return {mixed(Vec3(0.80, 0.50, 0.42), Vec3(0.46, 0.05, 0.04), 0.85 * blood), 0.95, 0.1, 1.0, 1.0};
+  return {mixed(Vec3(0.74, 0.42, 0.33), Vec3(0.45, 0.045, 0.035), 0.9 * blood), 0.95, 0.35, 1.0, 1.0};
 }
 
 std::uint8_t byte(double x) { return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(x, 0.0, 1.0))); }   // [1]
 
 Look lookOf(const SkinCorner& corner, const Vec3& rest, const RestShape& shape) {      // [m]
   const Shading s = corner.layer == kMucosa ? mucosa(rest, shape) : corner.layer == kCut ? cutEdge(rest) : serosa(rest, corner.uv[0], shape);
-  return {{3.0f * corner.uv[0], static_cast<float>(corner.uv[1] / kTile)},
+  float u = 3.0f * corner.uv[0], v = static_cast<float>(corner.uv[1] / kTile);         // [1]
+  if (corner.layer == kCut) { u = static_cast<float>(rest.x() / kTile); v = static_cast<float>(rest.y() / kTile); }   // seen end on
+  return {{u, v},
           {byte(std::sqrt(s.color.x())), byte(std::sqrt(s.color.y())), byte(std::sqrt(s.color.z())), byte(s.sky)},
           {byte(s.vessels), byte(s.bumps), byte(s.gloss), byte(corner.layer == kMucosa)}};
 }

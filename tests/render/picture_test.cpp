@@ -1,0 +1,152 @@
+// Laws of the picture, and what it looked like when a person last looked at it (tests/golden).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "render/png.h"
+#include "render/renderer.h"
+#include "tests/render/synthetic_scene.h"
+
+namespace halsted::render {
+namespace {
+
+constexpr int kWidth = 320, kHeight = 180;
+
+HudInput noHud() {
+  HudInput hud;
+  hud.visible = false;
+  return hud;
+}
+
+/// Share of colour values that differ by more than `tolerance`.
+double difference(const Frame& a, const Frame& b, int tolerance) {
+  if (a.rgba.size() != b.rgba.size()) return 1.0;
+  std::size_t off = 0;
+  for (std::size_t i = 0; i < a.rgba.size(); ++i) off += std::abs(a.rgba[i] - b.rgba[i]) > tolerance;
+  return static_cast<double>(off) / static_cast<double>(a.rgba.size());
+}
+
+class Picture : public testing::Test {
+ protected:
+  RenderScene scene = syntheticScene();
+  RenderSnapshot snapshot = syntheticSnapshot(scene, 1.0, 4);
+
+  /// A change of the picture on purpose: HALSTED_GOLDEN_WRITE=1, then look at the files before committing them.
+  void expectGolden(const Frame& frame, const std::string& name) {
+    const std::string path = std::string(HALSTED_GOLDEN_DIR) + "/" + name + ".png";
+    if (std::getenv("HALSTED_GOLDEN_WRITE")) writePng(path, frame);
+    ASSERT_TRUE(std::filesystem::exists(path)) << path;
+    const double off = difference(readPng(path), frame, 1);                      // [1]
+    if (off > 0.005) writePng(name + "_now.png", frame);
+    EXPECT_LE(off, 0.005) << name << "_now.png in the working folder shows the difference";
+  }
+};
+
+TEST_F(Picture, LooksAsItDidOpen) {
+  Renderer renderer(scene, kWidth, kHeight);
+  expectGolden(renderer.draw(snapshot, noHud(), scene.camera), "render_open");
+}
+
+TEST_F(Picture, LooksAsItDidGathered) {
+  Renderer renderer(scene, kWidth, kHeight);
+  expectGolden(renderer.draw(syntheticSnapshot(scene, 0.4, 8), noHud(), closeCamera()), "render_gathered");
+}
+
+TEST_F(Picture, IsTheSameForTheSameInput) {
+  Renderer first(scene, kWidth, kHeight), second(scene, kWidth, kHeight);
+  const Frame a = first.draw(snapshot, HudInput{}, scene.camera);
+  first.draw(syntheticSnapshot(scene, 0.5, 8), HudInput{}, closeCamera());       // what was drawn before must not matter
+  EXPECT_EQ(a.rgba, first.draw(snapshot, HudInput{}, scene.camera).rgba);
+  EXPECT_EQ(a.rgba, second.draw(snapshot, HudInput{}, scene.camera).rgba);
+}
+
+TEST_F(Picture, HasManyColoursAndIsOpaque) {
+  Renderer renderer(scene, kWidth, kHeight);
+  const Frame& f = renderer.draw(snapshot, noHud(), scene.camera);
+  std::vector<bool> seen(1 << 12);
+  for (std::size_t i = 0; i < f.rgba.size(); i += 4) {
+    ASSERT_EQ(f.rgba[i + 3], 255);
+    seen[(f.rgba[i] >> 4) << 8 | (f.rgba[i + 1] >> 4) << 4 | f.rgba[i + 2] >> 4] = true;
+  }
+  EXPECT_GT(std::count(seen.begin(), seen.end(), true), 100);
+}
+
+TEST_F(Picture, ShowsTheSurgeonsUpAtTheTop) {
+  Renderer renderer(scene, kWidth, kHeight);
+  RenderSnapshot bare = snapshot, raised = snapshot;
+  raised.tools[kRight].pose.position = Vec3(0.01, 0.028, 0.02);
+  bare.tools[kRight].pose.position = Vec3(0, 0, 5);                              // out of sight
+  const Frame a = renderer.draw(bare, noHud(), scene.camera);
+  const Frame& b = renderer.draw(raised, noHud(), scene.camera);
+  std::size_t top = 0, bottom = 0;
+  for (std::size_t i = 0; i < a.rgba.size(); ++i) (i < a.rgba.size() / 3 ? top : bottom) += std::abs(a.rgba[i] - b.rgba[i]) > 90;
+  EXPECT_GT(top, 2 * bottom);
+}
+
+TEST_F(Picture, ChangesWhenTheTissueMoves) {
+  Renderer renderer(scene, kWidth, kHeight);
+  const Frame a = renderer.draw(snapshot, noHud(), scene.camera);
+  for (Vec3& p : snapshot.tissue) p.x() += 1e-3;
+  EXPECT_GT(difference(a, renderer.draw(snapshot, noHud(), scene.camera), 8), 0.01);
+}
+
+TEST_F(Picture, ChangesWithEachThingThatMoves) {
+  Renderer renderer(scene, kWidth, kHeight);
+  const Frame a = renderer.draw(snapshot, noHud(), scene.camera);
+  const auto changes = [&](auto change) {
+    RenderSnapshot s = snapshot;
+    change(s);
+    return difference(a, renderer.draw(s, noHud(), scene.camera), 4) > 0.0;
+  };
+  EXPECT_TRUE(changes([](RenderSnapshot& s) { for (Vec3& p : s.thread) p.y() -= 2e-3; }));
+  EXPECT_TRUE(changes([](RenderSnapshot& s) { s.needle.position.x() += 2e-3; }));
+  EXPECT_TRUE(changes([](RenderSnapshot& s) { s.tools[kLeft].jaw = 1.0; }));
+  EXPECT_TRUE(changes([](RenderSnapshot& s) { s.tools[kRight].pose.position.y() -= 2e-3; }));
+  EXPECT_TRUE(changes([](RenderSnapshot& s) { s.punctureCount = 0; }));
+  EXPECT_TRUE(changes([](RenderSnapshot& s) { s.openingArea = 0.0; }));          // a shut lumen is darker
+}
+
+TEST_F(Picture, DrawsTheHeadUpDisplayOnlyWhenAsked) {
+  Renderer renderer(scene, kWidth, kHeight);
+  const Frame a = renderer.draw(snapshot, noHud(), scene.camera);
+  HudInput hud;
+  const Frame b = renderer.draw(snapshot, hud, scene.camera);
+  EXPECT_GT(difference(a, b, 8), 0.02);
+  const auto differs = [&] { return difference(b, renderer.draw(snapshot, hud, scene.camera), 8) > 0.0; };
+  hud.message = "stitch crosses the opening";
+  EXPECT_TRUE(differs());
+  hud = {};
+  hud.stale = true;
+  EXPECT_TRUE(differs());
+  hud = {};
+  snapshot.bites = 7;
+  EXPECT_TRUE(differs());
+}
+
+TEST_F(Picture, SurvivesASnapshotThatDoesNotFitTheScene) {
+  Renderer renderer(scene, kWidth, kHeight);
+  RenderSnapshot odd;
+  odd.procedureStep = 99;
+  odd.punctureCount = 1000;
+  odd.tissue.resize(3);
+  odd.thread.resize(1);
+  EXPECT_EQ(renderer.draw(odd, HudInput{}, scene.camera).rgba.size(), 4u * kWidth * kHeight);
+  for (Vec3& p : snapshot.tissue) p.setConstant(std::nan(""));
+  EXPECT_EQ(renderer.draw(snapshot, HudInput{}, scene.camera).rgba.size(), 4u * kWidth * kHeight);
+}
+
+TEST(Renderer, DrawsASceneWithNothingInIt) {
+  Renderer renderer(RenderScene{}, kWidth, kHeight);
+  EXPECT_EQ(renderer.draw(RenderSnapshot{}, HudInput{}, CameraView{}).rgba.size(), 4u * kWidth * kHeight);
+}
+
+TEST(Renderer, RefusesAnImpossibleSize) {
+  EXPECT_THROW(Renderer(RenderScene{}, 0, 100), std::runtime_error);
+  EXPECT_THROW(Renderer(RenderScene{}, 100, 100000), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace halsted::render
