@@ -1,6 +1,6 @@
 #include "app/frame_writer.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -33,13 +33,15 @@ struct FrameWriter::Parts {
 
 FrameWriter::FrameWriter(const FrameOptions& options, const Scenario& scenario) : options_(options) {
   std::sort(options_.times.begin(), options_.times.end());
+  if (!options_.video.empty() && (options_.width % 2 != 0 || options_.height % 2 != 0))
+    throw scenes::InputError("--size: a video needs an even width and height");
   std::error_code error;
   if (!options_.folder.empty()) fs::create_directories(options_.folder, error);
   if (error) throw SystemFault(options_.folder + ": cannot make the folder: " + error.message());
   try {
     parts_ = std::make_unique<Parts>(scenario, options_.width, options_.height);
     if (!options_.video.empty())
-      parts_->video = std::make_unique<render::VideoWriter>(options_.video, options_.width, options_.height, options_.fps);
+      parts_->video = std::make_unique<render::VideoWriter>(options_.video, render::VideoFormat{options_.width, options_.height, options_.fps});
   } catch (const std::exception& reason) {
     throw SystemFault(std::string("rendering: ") + reason.what());
   }

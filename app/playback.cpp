@@ -2,6 +2,8 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <thread>
 
@@ -54,6 +56,15 @@ double runThrough(const PlayOptions& options, Lockstep& run, Audience& audience)
   return watch.seconds();
 }
 
+/// What would fail at the end is better said before a run of minutes.
+void checkOptions(const PlayOptions& options, const Scenario& scenario) {
+  std::error_code ignored;
+  if (options.verify && !scenario.recording) throw scenes::InputError(options.file + ": --verify needs a recorded session, not a script");
+  if (!options.record.empty() && std::filesystem::equivalent(options.record, options.file, ignored))
+    throw scenes::InputError(options.record + ": --record would overwrite the file that is replayed");
+  if (!options.report.empty() && !std::ofstream(options.report, std::ios::app)) throw SystemFault(options.report + ": cannot write the report");
+}
+
 void finishRecording(SessionWriter& recorder, const Lockstep& run) {
   recorder.addState(run.state().step, save(run.state()));
   recorder.note("state_hash", hexadecimal(hash(run.state())));
@@ -83,7 +94,7 @@ int verdict(const PlayOptions& options, const Lockstep& run, const Audience& aud
 
 int play(const PlayOptions& options, const WatcherMaker& makeWatcher) {
   const Scenario scenario = scenarioFromFile(options.file, options.overrides);
-  if (options.verify && !scenario.recording) throw scenes::InputError(options.file + ": --verify needs a recorded session, not a script");
+  checkOptions(options, scenario);
   Lockstep run(scenario);
   Audience audience{nullptr, nullptr, nullptr, Trace(scenario.model.params.dt)};
   if (!options.record.empty()) audience.recorder = std::make_unique<SessionWriter>(options.record, sessionHeader(scenario, ""));

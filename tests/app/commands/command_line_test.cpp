@@ -1,0 +1,96 @@
+/// Bad input of every kind: one line that names the file and what is wrong, and the exit code of DESIGN 5. The real program.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/scenario_for_tests.h"
+#include "tests/support/process.h"
+
+namespace halsted::app {
+namespace {
+
+using halsted::testing::ProcessResult;
+using halsted::testing::run;
+using halsted::testing::TemporaryFolder;
+using ::testing::HasSubstr;
+
+ProcessResult runHalsted(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), HALSTED_BINARY);
+  return run(arguments);
+}
+
+void expectRefused(const std::vector<std::string>& arguments, const std::string& mentions) {
+  const ProcessResult result = runHalsted(arguments);
+  EXPECT_EQ(result.exitCode, 2) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr(mentions));
+  EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
+}
+
+TEST(CommandLine, BadUsageIsCodeTwo) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{}, {"operate"}, {"replay"}, {"replay", expertPath(), "--bogus"}, {"bench", "--steps", "many"},
+        {"bench", "--preset", "fast"}, {"train", "purse_string", "--seconds", "-1"}})
+    EXPECT_EQ(runHalsted(arguments).exitCode, 2);
+}
+
+TEST(CommandLine, HelpTeachesWithExamples) {
+  const ProcessResult help = runHalsted({"--help"});
+  EXPECT_EQ(help.exitCode, 0);
+  EXPECT_THAT(help.output, HasSubstr("halsted replay run.halsted --verify"));
+  for (const char* command : {"scenes", "train", "replay", "capture", "bench"}) EXPECT_EQ(runHalsted({command, "--help"}).exitCode, 0);
+}
+
+TEST(CommandLine, UnknownNamesAreNamed) {
+  expectRefused({"train", "appendix", "--headless"}, "appendix");
+  expectRefused({"train", "purse_string", "--headless", "--left", "novint"}, "novint");
+  expectRefused({"train", "purse_string", "--headless", "--left", "script:none.toml"}, "none.toml");
+  expectRefused({"replay", "none.toml"}, "none.toml");
+  expectRefused({"replay", "none.halsted"}, "none.halsted");
+  expectRefused({"replay", expertPath(), "--set", "tissue.colour=3"}, "tissue.colour");
+  expectRefused({"replay", expertPath(), "--set", "tissue.poisson_ratio=2"}, "tissue.poisson_ratio");
+  expectRefused({"replay", expertPath(), "--set", "novalue"}, "novalue");
+  expectRefused({"replay", expertPath(), "--verify"}, "--verify");
+  expectRefused({"bench", "--scene", "appendix"}, "appendix");
+  expectRefused({"capture", expertPath()}, "--out");
+  expectRefused({"capture", expertPath(), "--out", "/nowhere", "--size", "1x1"}, "--size");
+}
+
+TEST(CommandLine, ABrokenScriptIsNamedWithItsLine) {
+  const TemporaryFolder folder;
+  halsted::testing::writeText(folder.file("expert.toml"), "scene = \"purse_string\"\n\n[[action]]\nkind = \"dance\"\n");
+  expectRefused({"replay", folder.file("expert.toml")}, "expert.toml:");
+}
+
+TEST(CommandLine, WhatCannotBeWrittenIsSaidBeforeTheRun) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(runHalsted({"replay", expertPath(), "--record", folder.file("no/such/folder/a.halsted")}).exitCode, 3);
+  EXPECT_EQ(runHalsted({"replay", expertPath(), "--report", folder.file("no/such/folder/a.html")}).exitCode, 3);
+  halsted::testing::writeText(folder.file("precious.txt"), "thesis");
+  expectRefused({"replay", expertPath(), "--record", folder.file("precious.txt")}, "not overwritten");
+}
+
+TEST(CommandLine, ScenesListsPurseStringWithItsSize) {
+  const ProcessResult result = runHalsted({"scenes", "--json"});
+  ASSERT_EQ(result.exitCode, 0) << result.errors;
+  const auto list = nlohmann::json::parse(result.output);
+  const auto scene = std::find_if(list.begin(), list.end(), [](const auto& s) { return s["name"] == "purse_string"; });
+  ASSERT_NE(scene, list.end());
+  EXPECT_NEAR((*scene)["particles"].get<double>(), 1228.0, 0.02 * 1228);
+  EXPECT_EQ((*scene)["thread_nodes"], 175);
+  EXPECT_GT((*scene)["tets"].get<int>(), 1000);
+}
+
+TEST(CommandLine, BenchPrintsItsRows) {
+  const ProcessResult result = runHalsted({"bench", "--scene", "purse_string", "--steps", "20", "--json"});
+  ASSERT_EQ(result.exitCode, 0) << result.errors;
+  const auto rows = nlohmann::json::parse(result.output);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0]["preset"], "default");
+  EXPECT_EQ(rows[1]["preset"], "paper");
+  EXPECT_EQ(rows[1]["published_ms"], 5.61);
+  for (const char* key : {"particles", "tets", "thread_nodes", "step_ms", "frame_ms", "published_hardware"}) EXPECT_TRUE(rows[0].contains(key)) << key;
+}
+
+}  // namespace
+}  // namespace halsted::app
