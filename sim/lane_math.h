@@ -15,7 +15,7 @@ inline LanePath widestLanes() { return __builtin_cpu_supports("avx2") ? LanePath
 
 /// The scalar reference: four doubles, one after the other.
 struct Serial4 {
-  double v[4];                                             // any unit
+  double v[4];                                             // [any]
 
   HALSTED_INLINE double operator[](int i) const { return v[i]; }
 };
@@ -24,8 +24,8 @@ struct Serial4 {
   HALSTED_INLINE Serial4 operator op(Serial4 a, Serial4 b) {                                                      \
     return {{a.v[0] op b.v[0], a.v[1] op b.v[1], a.v[2] op b.v[2], a.v[3] op b.v[3]}};                            \
   }                                                                                                               \
-  HALSTED_INLINE Serial4 operator op(Serial4 a, double b) { return a op Serial4{{b, b, b, b}}; }                  \
-  HALSTED_INLINE Serial4 operator op(double a, Serial4 b) { return Serial4{{a, a, a, a}} op b; }
+  HALSTED_INLINE Serial4 operator op(Serial4 a, double b) { return a op Serial4{{b, b, b, b}}; }   /* [any] */    \
+  HALSTED_INLINE Serial4 operator op(double a, Serial4 b) { return Serial4{{a, a, a, a}} op b; }   /* [any] */
 HALSTED_SERIAL_OPERATOR(+)
 HALSTED_SERIAL_OPERATOR(-)
 HALSTED_SERIAL_OPERATOR(*)

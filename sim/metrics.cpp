@@ -28,10 +28,10 @@ void addSpread(Rows& rows, const std::string& name, const std::string& unit, con
   rows.emplace_back(name + "_sd_" + unit, value.deviation);
 }
 
-/// Angle between needle and inward normal; called for reports only, never inside a step, so acos is allowed here (DESIGN 7.2).
+/// Angle between needle and inward normal, for reports: never inside a step, so acos is allowed as it is at load time (DESIGN 7.2).
 double degrees(double cosine) {                          // [1]
   constexpr double kDegreesPerRadian = 57.295779513082323;   // [deg/rad]
-  return std::acos(std::clamp(cosine, -1.0, 1.0)) * kDegreesPerRadian;
+  return std::acos(std::clamp(cosine, -1.0, 1.0)) * kDegreesPerRadian;   // reports are made at load time or after a run
 }
 
 void addBites(Rows& rows, const MetricsState& m) {

@@ -40,7 +40,7 @@ struct MetricsState {
   double restOpeningArea = 0.0;                // [m^2] at the first step
 };
 
-/// Name (with its unit as a suffix) and value, for `replay --json` and reports; read on any thread that owns a copy.
+/// Name (with its unit as a suffix) and value, for `replay --json` and reports; read on any thread that owns a copy.  time [s]
 std::vector<std::pair<std::string, double>> summarise(const MetricsState&, double time);
 
 }  // namespace halsted

@@ -37,7 +37,7 @@ using Observation = std::array<double, kQuantities>;         // indexed by Quant
 /// `min <= quantity <= max`, held for `hold` seconds without a gap.
 struct Condition {
   Quantity quantity = Quantity::kTime;
-  double min = -1e300, max = 1e300;                          // unit of the quantity
+  double min = -1e300, max = 1e300;                          // [unit of the quantity]
   double hold = 0.0;                                         // [s]
 };
 

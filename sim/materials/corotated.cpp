@@ -37,18 +37,20 @@ Mat3 rotationDifferential(const Polar& p, const Mat3& dF) {             // dF [1
 }  // namespace
 
 double energyDensity(const Corotated& m, const Mat3& F) {
-  const double dilation = F.determinant() - 1.0;                        // [1]
-  return m.mu * (F - polar(F).rotation).squaredNorm() + 0.5 * m.lambda * dilation * dilation;
+  const Polar p = polar(F);
+  const double dilation = p.stretch.trace() - 3.0;                      // [1]
+  return m.mu * (F - p.rotation).squaredNorm() + 0.5 * m.lambda * dilation * dilation;
 }
 
 Mat3 stress(const Corotated& m, const Mat3& F) {
-  return 2.0 * m.mu * (F - polar(F).rotation) + m.lambda * (F.determinant() - 1.0) * cofactor(F);
+  const Polar p = polar(F);
+  return 2.0 * m.mu * (F - p.rotation) + m.lambda * (p.stretch.trace() - 3.0) * p.rotation;
 }
 
 Mat3 stressDifferential(const Corotated& m, const Mat3& F, const Mat3& dF) {
-  const Mat3 c = cofactor(F);
-  return 2.0 * m.mu * (dF - rotationDifferential(polar(F), dF)) + m.lambda * contract(c, dF) * c +
-         m.lambda * (F.determinant() - 1.0) * cofactorDifferential(F, dF);
+  const Polar p = polar(F);
+  const Mat3 turned = rotationDifferential(p, dF);
+  return 2.0 * m.mu * (dF - turned) + m.lambda * (contract(p.rotation, dF) * p.rotation + (p.stretch.trace() - 3.0) * turned);
 }
 
 }  // namespace halsted

@@ -1,6 +1,7 @@
 #pragma once
-/// Fixed corotated elasticity (Stomakhin et al. 2012, eqs. 2 and 3):  Psi = mu |F - R|^2 + lambda/2 (det F - 1)^2,  F = R S.
-/// The energy that the projective solver minimises. Linear in the stretch: honest to about 30 % strain.
+/// Corotated linear elasticity (Mueller and Gross 2004; Sifakis and Barbic 2012, eq. 3.5), F = R S:
+///   Psi = mu |F - R|^2 + lambda/2 tr(S - I)^2
+/// The energy that the projective solver minimises. Linear in the stretch: P = E (stretch - 1) in a pulled strip of nu = 0.
 #include "sim/types.h"
 
 namespace halsted {

@@ -6,11 +6,12 @@
 
 namespace halsted {
 
-/// v damped, v += h a (in this order, or damping would take weight off a tissue at rest), rows := (x + h v, inverse mass). `work.target` keeps where the substep began.  h [s]
+/// v damped, v += h a (in this order, or damping would take weight off a tissue at rest), rows := (x + h v, inverse mass).
+/// `work.target` keeps where the substep began.  h [s]
 inline void beginSubstep(const TissueModel& m, std::span<const Vec3> force, double h, TissueState& s, TissueWork& w) {
   const double damping = 1.0 / (1.0 + h * m.massDamping);              // [1] implicit, never overshoots
   for (std::size_t i = 0; i < m.mass.size(); ++i) {
-    double* row = &w.rows[4 * i];
+    double* row = &w.rows[4 * i];              // [m] x, y, z and [1/kg]
     w.target[i] = s.position[i];
     Vec3 moved = s.position[i];
     const double inverseMass = m.isFixed[i] ? 0.0 : 1.0 / m.mass[i];   // [1/kg]
