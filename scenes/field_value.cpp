@@ -114,8 +114,8 @@ void setFieldFromText(const SceneField& field, const std::string& text, const Va
     if (c < 0x20 || c == '#') throw InputError(source.where + ": is not a value");
   toml::table parsed;
   try {
-    parsed = toml::parse("value = " + text);
-  } catch (const toml::parse_error&) {
+    parsed = parseToml("value = " + text, "");
+  } catch (const InputError&) {
     throw InputError(source.where + ": is not a value");
   }
   setField(field, *parsed.get("value"), source);

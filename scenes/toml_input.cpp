@@ -1,15 +1,24 @@
 #include "scenes/toml_input.h"
 
+#include <stdexcept>
+
+#include "scenes/toml_guard.h"
+
 namespace halsted::scenes {
 
 toml::table parseToml(const std::string& text, const std::string& origin) {
+  refuseUnsafeToml(text, origin);
   try {
     return toml::parse(text, origin);
   } catch (const toml::parse_error& error) {
     throw InputError(quoted(origin) + ":" + std::to_string(error.source().begin.line) + ": " +
                      quoted(std::string(error.description())));
+  } catch (const std::logic_error&) {
+    throw InputError(quoted(origin) + ": is not TOML");
   }
 }
+
+void tomlAssertionFailed(const char* expression) { throw std::logic_error(expression); }
 
 std::string whereIs(const std::string& origin, const toml::node& node, const std::string& key) {
   return quoted(origin) + ":" + std::to_string(node.source().begin.line) + ": " + quoted(key);
