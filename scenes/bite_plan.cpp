@@ -9,7 +9,7 @@
 namespace halsted::scenes {
 namespace {
 
-constexpr double kDip = 0.5e-3;                // [m] the circle is set this much deeper than entry and exit ask: the wall dimples
+constexpr double kDip = 1.2e-3;                // [m] the circle is set this much deeper than entry and exit ask: the wall dimples
 constexpr double kClockwiseStep = 0.25;        // [deg] when walking along the rim to the exit
 
 /// Arc sine by Newton on the portable sine; |x| < 1.
@@ -66,7 +66,10 @@ bool planPlaces(const Model& m, const ExpertAction& a, BitePlan& plan) {
   for (double step = kClockwiseStep; step < 90.0; step += kClockwiseStep) {
     plan.exit = placeOnWall(m, a.angleDegrees - step, a.depth);
     if (plan.exit.triangle < 0) return false;
-    if ((pointOn(m.surface, m.mesh.vertices, plan.exit.triangle, plan.exit.weight) - start).norm() >= a.width) return true;
+    if ((pointOn(m.surface, m.mesh.vertices, plan.exit.triangle, plan.exit.weight) - start).norm() >= a.width) {
+      plan.middleDegrees = a.angleDegrees - 0.5 * step;
+      return true;
+    }
   }
   return false;
 }

@@ -18,6 +18,7 @@ Vec3 normalOf(const Model&, const State&, const TissuePlace&);              // [
 /// The circle that the needle runs along, fixed in space once the surgeon has looked.
 struct BitePlan {
   TissuePlace entry, exit;
+  double middleDegrees = 0.0;                  // [deg] half way between them
   Vec3 centre = Vec3::Zero();                  // [m] of the arc
   Vec3 along = Vec3::UnitX(), out = Vec3::UnitY(), axis = Vec3::UnitZ();    // [1] entry to exit; out of the wall; of the rotation
   double entryAngle = 0.0, exitAngle = 0.0;    // [rad] of the tip on the circle, 0 at the deepest point

@@ -13,6 +13,8 @@ struct ExpertState {
   bool started = false;
   std::array<HandMotion, kHands> hand;
   BitePlan plan;
+  std::int32_t bite = 0;                       // number that the bite under way will have
+  TissuePlace counter;                         // where the other hand holds the wall
   double tipAngle = 0.0;                       // [rad] commanded on the plan's circle
   Vec3 pullFrom = Vec3::Zero(), pullAlong = Vec3::UnitZ();   // [m], [1]
   double pulled = 0.0;                         // [m]

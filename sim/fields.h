@@ -68,6 +68,7 @@ template <class V> struct FieldWalk {
     using Item = typename ArrayTraits<T>::Item;
     if constexpr (ArrayTraits<T>::isVector) {
       visitor.size(path, field.size());
+      if constexpr (requires { visitor.holder(&field, sizeof field); }) visitor.holder(&field, sizeof field);   // for tests
       if (field.empty()) return;
     }
     if constexpr (kScalars<Item> > 0) {
@@ -93,7 +94,7 @@ HALSTED_FIELDS(Hole, tet, weight, coordinate, force, slip, bite, role)
 HALSTED_FIELDS(StrandContact, sample, feature, normalForce, force, weight)
 HALSTED_FIELDS(StrandState, position, velocity, tension, needle, needleVelocity, needleSpin, nearVertex, holes, holeCount, contacts,
                contactCount, bitesBegun)
-HALSTED_FIELDS(ToolState, device, proxy, jaw, closed, force, holdsNeedle, needleCoordinate, needleInTool, needleForce, threadCoordinate,
+HALSTED_FIELDS(ToolState, device, proxy, jaw, closed, ratchet, force, holdsNeedle, needleCoordinate, needleInTool, needleForce, threadCoordinate,
                threadForce, strandForce, graspCount, graspTriangle, graspWeight, graspLocal, graspForce, contactCount, contactTriangle,
                contactWeight, contactNormal, contactForce, nearCount, nearTriangle)
 HALSTED_FIELDS(ProcedureState, current, heldDone, heldFault, stepStart, finished, faults, inFault, late)

@@ -32,7 +32,7 @@ State initialState(const Model& m, const std::array<Pose, kHands>& start) {
   for (int hand = 0; hand < kHands; ++hand) s.tools[hand].device = s.tools[hand].proxy = start[hand];
   ToolState& driver = s.tools[kRight];
   driver.jaw = 0.0;
-  driver.closed = driver.holdsNeedle = true;
+  driver.closed = driver.ratchet = driver.holdsNeedle = true;
   driver.needleCoordinate = m.strand.length + kHoldShare * (tipCoordinate(m.strand) - m.strand.length);
   driver.needleInTool = needleInTool(m.strand, driver.needleCoordinate);
   s.strand = restState(m.strand, compose(driver.proxy, driver.needleInTool));

@@ -45,7 +45,7 @@ struct NeedleParams {                          // [needle]
   double wireRadius = 0.33e-3;                 // wire_radius [m]
   double density = 7900.0;                     // density [kg/m^3] steel
   double punctureForce = 0.8;                  // puncture_force [N] bowel 0.5 to 2 N, physics.md D
-  double exitForce = 0.5;                      // exit_force [N] tip leaving through the surface (design)
+  double exitForce = 0.25;                     // exit_force [N] tip leaving through the surface (design)
   double cutForce = 0.15;                      // cut_force [N] tip advancing inside the wall (design)
   double tearForce = 3.0;                      // tear_force [N] lateral load at which a hole tears (design)
   double shaftFriction = 20.0;                 // shaft_friction [N/m] Coulomb friction per inserted length (design)

@@ -18,7 +18,7 @@ std::string FieldPath::text() const {
     begin = list.find_first_not_of(' ', begin);
     if (d > 0) out += '.';
     out += list.substr(begin, list.find(',', begin) - begin);
-    if (entry.index >= 0) out += '[' + std::to_string(entry.index) + ']';
+    if (entry.index >= 0) out.append("[").append(std::to_string(entry.index)).append("]");
   }
   return out;
 }
@@ -104,9 +104,9 @@ struct DiffFinder {
     if (text.empty() && target < at + count * sizeof(T)) {
       const std::size_t i = (target - at) / sizeof(T);
       text = path.text();
-      if (count > static_cast<std::size_t>(stride)) text += '[' + std::to_string(i / stride) + ']';
-      if (stride > 1) text += std::string(".") + "xyzw"[i % stride];
-      text += ": " + print<T>(a, at + i * sizeof(T)) + " and " + print<T>(b, at + i * sizeof(T));
+      if (count > static_cast<std::size_t>(stride)) text.append("[").append(std::to_string(i / stride)).append("]");
+      if (stride > 1) text.append(1, '.').append(1, "xyzw"[i % stride]);
+      text.append(": ").append(print<T>(a, at + i * sizeof(T))).append(" and ").append(print<T>(b, at + i * sizeof(T)));
     }
     at += count * sizeof(T);
   }

@@ -55,6 +55,15 @@ void stepStrand(const Model& m, const std::array<CapsuleShape, kSolids>& solidsB
   for (int hand = 0; hand < kHands; ++hand) settleGrasp(m, hand, grasps[hand], s, out);
 }
 
+/// Moves the tissue by its answer to the changes of force gathered so far.
+void answerChange(const Model& m, State& s) {
+  bool any = false;
+  for (const Vec3& f : s.work.change) any = any || f.squaredNorm() > 0.0;
+  if (!any) return;
+  applyForceChange(m.tissue, s.work.change, s.tissue, s.work.tissue);
+  std::fill(s.work.change.begin(), s.work.change.end(), Vec3::Zero());
+}
+
 void stepProcedure(const Model& m, State& s, StepOutput& out) {
   const int before = s.procedure.current;
   const ProcedureEvent event = advance(m.procedure, out.seen, s.step * m.params.dt, m.params.dt, s.procedure);
@@ -74,10 +83,11 @@ void step(const Model& m, const StepInput& input, State& s, StepOutput& out) {
   const auto solidsBefore = worldSolids(m, s);
   moveTools(m, input, s, out);
   solveTouch(m, before, s);
+  answerChange(m, s);                          // the strand meets the tissue where the tools have put it
   for (int hand = 0; hand < kHands; ++hand) updateProxy(m, hand, s);
   stepStrand(m, solidsBefore, s, out);
   solveTissueContact(m, s);
-  applyForceChange(m.tissue, s.work.change, s.tissue, s.work.tissue);
+  answerChange(m, s);
   finishTissue(m.tissue, s.tissue, s.work.tissue);
   ++s.step;
   measure(m, s, out);

@@ -36,6 +36,7 @@ struct SelfWork {
 struct TouchPoint {
   int hand = 0, triangle = -1;
   bool grasp = false;                          // bilateral: held between the jaws
+  bool gone = false;                           // no contact any more: stays in the problem because its old force is taken back
   std::array<double, 3> weight{};              // [1]
   Vec3 normal = Vec3::UnitZ();                 // [1] from the tool into the tissue
   Vec3 toolPoint = Vec3::Zero();               // [m] world point of the tool's surface
@@ -46,7 +47,7 @@ struct TouchPoint {
 };
 
 struct TouchWork {
-  static constexpr int kMax = kHands * (ToolState::kMaxContacts + ToolState::kMaxGrasp);
+  static constexpr int kMax = kHands * (2 * ToolState::kMaxContacts + ToolState::kMaxGrasp);
   std::array<TouchPoint, kMax> point;
   int count = 0;
   std::array<double, kMax * kMax> compliance{};    // [m/N] tissue between points, plus the coupling of their common tool

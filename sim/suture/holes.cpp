@@ -10,6 +10,7 @@ namespace halsted {
 namespace {
 
 constexpr double kNeedleFriction = 0.10;       // [1] polished steel in wet tissue, along the arc (design)
+constexpr double kMostSlide = 1e-3;            // [m] a step: 1 m/s of thread through a hole
 constexpr double kWithdrawForce = 0.02;        // [N] drag on a tip drawn back along its own cut (design)
 
 bool onNeedle(const Model& m, const Hole& h) { return h.coordinate > m.strand.length; }
@@ -79,6 +80,19 @@ StrandLink holeLink(const Model& m, const StrandState& s, const Hole& h, const V
   return link;
 }
 
+/// The strand between two holes cannot be shorter than the straight way between them: how far a coordinate may go.
+double withinReach(const Model& m, const StrandState& s, const HoleWork& w, int i, double wanted) {
+  constexpr double kStraight = 0.9;            // [1] of the way: the tissue still answers to this step's forces, and needles are bent
+  const auto least = [&](int other) { return kStraight * (w.point[i] - w.point[other]).norm(); };
+  double low = -1.0, high = tipCoordinate(m.strand);
+  if (i > 0) low = s.holes[i - 1].coordinate + least(i - 1);
+  if (i + 1 < s.holeCount) high = s.holes[i + 1].coordinate - least(i + 1);
+  const double here = s.holes[i].coordinate;   // never thrown back by a neighbour that is already too near
+  low = std::fmin(low, here);
+  high = std::fmax(high, here);
+  return wanted < low ? low : (wanted > high ? high : wanted);
+}
+
 /// Stick or slip along the strand after the solve; returns the force the hole now carries.
 Vec3 settleFriction(const Model& m, State& state, int i, const Vec3& solved) {
   StrandState& s = state.strand;
@@ -94,8 +108,10 @@ Vec3 settleFriction(const Model& m, State& state, int i, const Vec3& solved) {
   }
   const Vec3 point = w.point[i] - w.self[i] * (solved - h.force);
   const double slide = t.dot(point - strandPoint(m.strand, s, h.coordinate));   // [m]
-  if (h.slip * slide < 0.0) h.slip = 0;
-  else h.coordinate += slide;
+  if (h.slip * slide < 0.0) { h.slip = 0; return solved; }
+  const double wanted = h.coordinate + (magnitude(slide) > kMostSlide ? h.slip * kMostSlide : slide);
+  h.coordinate = withinReach(m, s, w, i, wanted);
+  if (h.coordinate != wanted) h.slip = 0;
   return solved;
 }
 

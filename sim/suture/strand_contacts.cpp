@@ -93,7 +93,7 @@ void touchTissue(const Model& m, const Sample& x, State& state, int& fresh) {
   if ((static_cast<int>(state.step % kRepairInterval)) == x.index % kRepairInterval) {
     s.nearVertex[x.index] = nearestVertex(m.surface, tissue, x.predicted);
   }
-  if (insideWall(s, x.coordinate, 0.5e-3)) return;
+  if (insideWall(s, x.coordinate, 1.2 * m.strand.segment)) return;   // the samples next to a hole are led by it
   const SurfacePoint near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
   if (near.triangle < 0 || near.distance < -kSkinDepth) return;
   Touch t;

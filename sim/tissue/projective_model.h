@@ -2,7 +2,8 @@
 /// Prefactored projective dynamics (Bouaziz et al. 2014; Kugelstadt et al. 2018): one constant scalar matrix
 ///   A = M (1/dt^2 + damping/dt) + sum over tets 2 mu V G G^T      [N/m]
 /// factored once, the same for x, y and z; unknowns are displacements from rest, zero for fixed particles. physics.md 0.8.
-/// Volume is kept by a pressure per tet that relaxes to lambda (det F - 1) (Uzawa), so the static stiffness is exact.
+/// Volume is kept by a pressure per tet that relaxes to lambda tr(R^T F - I) (Uzawa), so the static stiffness is exact; both
+/// terms of the corotated stress are bounded by the rotation, so an inverted tet cannot blow up.
 #include <vector>
 
 #include "sim/types.h"

@@ -73,7 +73,7 @@ template <typename L> HALSTED_INLINE void storeForce(double* force, const V3<L>&
 }
 
 /// Local step of one group: rotation, pressure, and the right-hand side it adds to its four corners:
-/// V (2 mu (R - I) - p cof F) g_a.
+/// V (2 mu (R - I) - p R) g_a.
 template <typename L> HALSTED_INLINE void localGroup(const LocalData& d) {
   const V3<L> x0 = gatherPosition<L>(d.position, d.vertex);
   const V3<L> e1 = gatherPosition<L>(d.position, d.vertex + kLanes) - x0;
@@ -83,15 +83,14 @@ template <typename L> HALSTED_INLINE void localGroup(const LocalData& d) {
   for (int e = 0; e < 9; ++e) b[e] = loadLanes<L>(d.restInverse + e * kLanes);
   // F = (e1 e2 e3) B, by columns.
   const M3<L> f{b[0] * e1 + b[3] * e2 + b[6] * e3, b[1] * e1 + b[4] * e2 + b[7] * e3, b[2] * e1 + b[5] * e2 + b[8] * e3};
-  const M3<L> cof{cross(f.c1, f.c2), cross(f.c2, f.c0), cross(f.c0, f.c1)};
-  const L stretch = dot(f.c0, cof.c0) - 1.0;
-  L p = loadLanes<L>(d.pressure);
-  p = p + d.gain * (stretch - p / d.lambda);
-  storeLanes(d.pressure, p);
   const M3<L> r = updateRotation<L>(d.quaternion, f);
+  const L dilation = dot(r.c0, f.c0) + dot(r.c1, f.c1) + dot(r.c2, f.c2) - 3.0;
+  L p = loadLanes<L>(d.pressure);
+  p = p + d.gain * (dilation - p / d.lambda);
+  storeLanes(d.pressure, p);
   const L volume = loadLanes<L>(d.volume);
-  const L twoMu = 2.0 * d.mu * volume, pv = p * volume;
-  V3<L> c0 = twoMu * r.c0 - pv * cof.c0, c1 = twoMu * r.c1 - pv * cof.c1, c2 = twoMu * r.c2 - pv * cof.c2;
+  const L twoMu = 2.0 * d.mu * volume, along = twoMu - p * volume;
+  V3<L> c0 = along * r.c0, c1 = along * r.c1, c2 = along * r.c2;
   c0.x = c0.x - twoMu; c1.y = c1.y - twoMu; c2.z = c2.z - twoMu;
   const V3<L> f1 = b[0] * c0 + b[1] * c1 + b[2] * c2;
   const V3<L> f2 = b[3] * c0 + b[4] * c1 + b[5] * c2;

@@ -121,7 +121,7 @@ double elasticEnergy(const TissueModel& m, const TissueState& s) {
     for (int c = 0; c < 3; ++c) edges.col(c) = s.position[m.tets[t][c + 1]] - s.position[m.tets[t][0]];
     const Mat3 f = edges * m.restInverse[t];
     const Mat3 r = s.rotation[t].toRotationMatrix();
-    const double dilation = f.determinant() - 1.0;                     // [1]
+    const double dilation = (r.transpose() * f).trace() - 3.0;         // [1]
     sum += m.restVolume[t] * (m.material.mu * (f - r).squaredNorm() + 0.5 * m.material.lambda * dilation * dilation);
   }
   return sum;

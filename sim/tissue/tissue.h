@@ -21,7 +21,7 @@ void predictTissue(const TissueModel&, std::span<const Vec3> force, TissueState&
 void applyForceChange(const TissueModel&, std::span<const Vec3> change, TissueState&, TissueWork&);
 void finishTissue(const TissueModel&, TissueState&, const TissueWork&);
 
-/// Elastic energy of the projective and xpbd material: mu |F - R|^2 + lambda/2 (det F - 1)^2, integrated.  [J]
+/// Elastic energy of the corotated material: mu |F - R|^2 + lambda/2 tr(R^T F - I)^2, integrated over the rest volume.  [J]
 double elasticEnergy(const TissueModel&, const TissueState&);
 
 /// The solvers behind predictTissue; each reads work.previous.

@@ -80,15 +80,33 @@ void carryOver(const Model& m, const Pose& before, const State& s, TouchPoint& p
   const ToolState& t = s.tools[p.hand];
   for (int i = 0; i < t.contactCount; ++i) {
     if (t.contactTriangle[i] != p.triangle) continue;
-    const double along = t.contactForce[i].dot(p.normal);
-    p.force = along > 0.0 ? t.contactForce[i] : Vec3::Zero();
+    p.old = t.contactForce[i];
+    p.force = p.old.dot(p.normal) > 0.0 ? p.old : Vec3::Zero();
     break;
   }
-  p.old = p.force;
   const Vec3 moved = pointOn(m.surface, s.tissue.position, p.triangle, p.weight) - pointOn(m.surface, s.work.tissue.previous, p.triangle, p.weight);
   const Vec3 local = t.proxy.inverseApply(p.toolPoint);
   const Vec3 slide = moved - (p.toolPoint - before.apply(local));
   p.slide = slide - slide.dot(p.normal) * p.normal;
+}
+
+/// Contacts of the last step that were not found again: their force goes, and the tissue's answer to that belongs to this solve.
+void addGone(int hand, int first, State& s) {
+  const ToolState& t = s.tools[hand];
+  TouchWork& w = s.work.touch;
+  const int end = w.count;
+  for (int i = 0; i < t.contactCount; ++i) {
+    bool found = false;
+    for (int k = first; k < end; ++k) found = found || w.point[k].triangle == t.contactTriangle[i];
+    if (found) continue;
+    TouchPoint p;
+    p.hand = hand;
+    p.gone = true;
+    p.triangle = t.contactTriangle[i];
+    p.weight = t.contactWeight[i];
+    p.old = t.contactForce[i];
+    w.point[w.count++] = p;
+  }
 }
 
 }  // namespace
@@ -124,6 +142,7 @@ void findContacts(const Model& m, int hand, const Pose& before, State& s) {
     }
   }
   for (int i = first; i < w.count; ++i) carryOver(m, before, s, w.point[i]);
+  addGone(hand, first, s);
 }
 
 void findGrasps(const Model& m, int hand, State& s) {

@@ -116,7 +116,8 @@ double seriesStiffness(const Model& m, int hand) {
 void moveTool(const Model& m, int hand, const ToolSample& sample, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];
   t.device = sample.pose;
-  t.jaw = std::fmin(1.0, std::fmax(0.0, sample.jaw));
+  if (t.ratchet && sample.jaw < kCloseBelow) t.ratchet = false;
+  if (!t.ratchet) t.jaw = std::fmin(1.0, std::fmax(0.0, sample.jaw));
   updateProxy(m, hand, s);
   if (!t.closed && t.jaw < kCloseBelow) {
     t.closed = true;

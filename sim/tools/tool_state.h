@@ -13,6 +13,7 @@ struct ToolState {
   Pose proxy;                                  // where the simulated tool is
   double jaw = 1.0;                            // [1]
   bool closed = false;                         // jaws shut enough to hold
+  bool ratchet = false;                        // locked shut, as a loaded needle driver is handed over; the first squeeze unlocks it
   Vec3 force = Vec3::Zero();                   // [N] total on the hand
   // Needle and thread in the jaws.
   bool holdsNeedle = false;

@@ -45,6 +45,7 @@ Vec3 limited(const Vec3& v, double limit) {
 void sweep(const Model& m, TouchWork& w) {
   for (int i = 0; i < w.count; ++i) {
     TouchPoint& p = w.point[i];
+    if (p.gone) continue;
     const Vec3 u = response(w, i);
     const double own = w.compliance[i * TouchWork::kMax + i];
     if (p.grasp) {
@@ -69,6 +70,7 @@ void store(const Model& m, State& s) {
   std::array<int, kHands> grasp{}, contact{};
   for (int i = 0; i < s.work.touch.count; ++i) {
     const TouchPoint& p = s.work.touch.point[i];
+    if (p.gone) continue;
     ToolState& t = s.tools[p.hand];
     addNodal(m, p.triangle, p.weight, p.force, s.work.change);
     if (p.grasp) { t.graspForce[grasp[p.hand]++] = p.force; continue; }
