@@ -103,9 +103,9 @@ void drawTiming(const Pen& pen, float right, const HudInput& hud) {
 }
 
 void drawWarnings(const Pen& pen, float right, const HudInput& hud) {
-  float y = 118;                                           // pixels
+  float y = 14;                                            // pixels
   const auto banner = [&](const char* words, ImU32 color) {
-    const float w = pen.width(words, 17) + 40.0f, x = 0.5f * (right - w);   // pixels
+    const float w = pen.width(words, 17) + 40.0f, x = std::max(0.5f * (right - w), 396.0f);   // pixels
     pen.panel(x, y, w, 32);
     pen.list->AddRectFilled(pen.at(x, y), pen.at(x + 5, y + 32), color);
     pen.text(x + 20, y + 6, color, words, 17);

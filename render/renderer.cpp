@@ -161,7 +161,7 @@ bool sameView(const CameraView& a, const CameraView& b) {
 void Renderer::Parts::drawBackdrop(const CameraView& camera, const Matrix4& view) {
   if (backdropDrawn && sameView(camera, backdropView)) return;
   backdrop.bind();
-  glClearColor(0.035f, 0.02f, 0.02f, 1.0f);
+  glClearColor(0.02f, 0.01f, 0.01f, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   bindTexture(kSurfaceUnit, fieldImage);
   use(fieldBare, view, camera);

@@ -124,7 +124,7 @@ out vec4 color;
 void main() {
   vec3 n = normalize(vNormal), v = normalize(uEye - vPosition);
   float streak = texture(uDetail, vec2(vUv.y * 30.0, vUv.x)).b - 0.5;   // brushed across the shaft: blurs reflections along it
-  n = normalize(n + streak * vec3(0.06, 0.09, 0.06));
+  n = normalize(n + streak * vec3(0.035, 0.05, 0.035));
   vec3 r = reflect(-v, n) + vec3(0.0, 0.0, 1.0);
   vec3 seen = texture(uReflection, 0.5 + 0.5 * r.xy * inversesqrt(dot(r, r))).rgb;
   float lit = texture(uShadow, vShadow);
@@ -195,7 +195,7 @@ void main() {
   vec3 rx = cross(py, n), ry = cross(n, px);
   float det = dot(px, rx);
   vec3 slope = sign(det) * (dFdx(height) * rx + dFdy(height) * ry);
-  vec3 film = normalize(abs(det) * n - 0.35 * slope);       // fluid fills the finest dents: broad, wet lights
+  vec3 film = normalize(abs(det) * n - 0.55 * slope);       // fluid fills the finest dents: broad, wet lights
   n = normalize(abs(det) * n - slope);
 
   float lit = texture(uShadow, vShadow);
@@ -207,17 +207,20 @@ void main() {
   vec3 direct = clamp((towards + wrap) / (1.0 + wrap), 0.0, 1.0) * mix(vec3(0.20, 0.07, 0.06), vec3(1.0), lit);
   float facing = clamp(dot(n, v), 0.0, 1.0);
   vec3 ambient = mix(vec3(0.17, 0.13, 0.13), vec3(0.34, 0.34, 0.36), 0.5 + 0.5 * n.z);
-  vec3 c = albedo * (direct * (0.35 + 0.65 * sky) * 1.18 + ambient * sky);
+  ambient += 0.24 * facing * facing;                        // the surgeon's headlight: it throws no shadow that the eye could see
+  vec3 c = albedo * (direct * (0.15 + 0.85 * sky) * 1.12 + ambient * sky);
 
   float grazing = 1.0 - facing; grazing *= grazing; grazing *= grazing;
   float gloss = vSurface.b * (0.45 + 0.75 * detail.a);
   float s = clamp(dot(film, normalize(v + kLamp)), 0.0, 1.0);
   s *= s; s *= s; s *= s; float broad = s * s;              // power 16
   s = broad * broad; s *= s; s *= s;                        // power 128
+  float back = clamp(dot(film, v), 0.0, 1.0);
+  back *= back; back *= back; back *= back; back *= back; back *= back; back *= back;   // power 64: the headlight's glints
   vec3 r = reflect(-v, film) + vec3(0.0, 0.0, 1.0);
   vec3 seen = texture(uReflection, 0.5 + 0.5 * r.xy * inversesqrt(dot(r, r))).rgb;
   seen *= seen;                                             // lamps are far brighter than walls: the square keeps them so
-  c += gloss * ((1.9 * s + 0.13 * broad) * lit + ((0.10 + 0.45 * grazing) * seen + 2.2 * seen * seen) * sky * (0.35 + 0.65 * lit));
+  c += gloss * ((1.9 * s + 0.13 * broad) * lit + 0.55 * back * sky + ((0.10 + 0.45 * grazing) * seen + 2.2 * seen * seen) * sky * (0.35 + 0.65 * lit));
   color = vec4(sqrt(c), 1.0);
 })";
 

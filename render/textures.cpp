@@ -77,7 +77,7 @@ double bulge(double x) { return std::abs(std::sin(0.5 * kTurn * x)); }          
 Vec3 theatre(const Vec3& d) {                                                          // unit direction; linear light [1]
   const double up = d.z();                                                             // [1] toward the surgeon and the lamp
   Vec3 light = mixed(Vec3(0.22, 0.27, 0.28), Vec3(0.05, 0.06, 0.065), smoothStep(-0.5, 0.05, up));
-  light += smoothStep(0.10, 0.24, up) * smoothStep(0.72, 0.42, up) * Vec3(0.62, 0.65, 0.70);          // bright walls
+  light += smoothStep(-0.05, 0.30, up) * smoothStep(0.75, 0.40, up) * Vec3(0.58, 0.61, 0.66);         // bright walls
   light += smoothStep(0.55, 0.70, up) * smoothStep(0.86, 0.76, up) * Vec3(0.20, 0.22, 0.23);         // gowns and masks
   light += smoothStep(0.80, 0.96, up) * Vec3(0.48, 0.49, 0.51);                                       // ceiling
   light += smoothStep(0.90, 0.95, 0.75 * d.x() - 0.25 * d.y() + 0.60 * up) * Vec3(0.9, 0.93, 1.0);    // two light panels

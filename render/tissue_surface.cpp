@@ -62,14 +62,14 @@ Shading mucosa(const Vec3& p, const RestShape& rest) {
   const double blush = fractalNoise(q.x() + 40, q.y(), q.z(), 3);                      // [1]
   const double depth = rest.top - p.z();                                               // [m]
   const Vec3 color = mixed(Vec3(0.72, 0.25, 0.19), Vec3(0.58, 0.10, 0.09), smoothStep(0.3, 0.7, blush));
-  const double sky = std::exp(-depth / std::max(0.7 * rest.radius, 1e-3));             // [1] what a deep tube sees of the sky
-  return {color, 0.06 + 0.80 * sky, 0.35, 1.0, 1.0};
+  const double sky = std::exp(-depth / std::max(0.9 * rest.radius, 1e-3));             // [1] what a deep tube sees of the sky
+  return {color, 0.05 + 0.90 * sky, 0.35, 1.0, 1.0};
 }
 
 Shading cutEdge(const Vec3& p) {
   const Vec3 q = 260.0 * p;
   const double blood = smoothStep(0.48, 0.66, fractalNoise(q.x(), q.y(), q.z(), 3));   // [1]
-  return {mixed(Vec3(0.74, 0.42, 0.33), Vec3(0.45, 0.045, 0.035), 0.9 * blood), 0.95, 0.35, 1.0, 1.0};
+  return {mixed(Vec3(0.74, 0.42, 0.33), Vec3(0.45, 0.045, 0.035), 0.9 * blood), 0.95, 0.35, 0.55, 0.85};
 }
 
 std::uint8_t byte(double x) { return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(x, 0.0, 1.0))); }   // [1]

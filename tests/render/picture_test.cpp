@@ -36,7 +36,7 @@ class Picture : public testing::Test {
 
   /// A change of the picture on purpose: HALSTED_GOLDEN_WRITE=1, then look at the files before committing them.
   void expectGolden(const Frame& frame, const std::string& name) {
-    const std::string path = std::string(HALSTED_GOLDEN_DIR) + "/" + name + ".png";
+    const std::string path = (std::filesystem::path(__FILE__).parent_path().parent_path() / "golden" / (name + ".png")).string();
     if (std::getenv("HALSTED_GOLDEN_WRITE")) writePng(path, frame);
     ASSERT_TRUE(std::filesystem::exists(path)) << path;
     const double off = difference(readPng(path), frame, 1);                      // [1]
