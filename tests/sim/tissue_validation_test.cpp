@@ -65,6 +65,38 @@ TEST_P(StiffnessPromise, AnIrregularPatchTakesOneStrain) {
   EXPECT_LT(worst, projective ? 1e-6 : 0.15);  // one sweep a substep leaves more in the thinnest tets
 }
 
+/// A plate one cell thick, held at one end and pressed at the other: the load under which one sweep a substep is softest.
+double plateDeflection(SimParams p) {          // [m]
+  TetMesh mesh = blockMesh(10, 4, 1, Vec3(20e-3, 8e-3, 2e-3));
+  for (int i = 0; i < static_cast<int>(mesh.vertices.size()); ++i)
+    if (mesh.vertices[i].x() == 0.0) mesh.fixed.push_back(i);
+  p.tissue.massDamping = 20.0;
+  TissueBlock plate(mesh, p);
+  for (std::size_t i = 0; i < plate.model.rest.size(); ++i)
+    if (plate.model.rest[i].x() > 19.9e-3) plate.force[i] = Vec3(0, 0, -1e-5);
+  plate.run(2500);
+  return 2e-3 - plate.meanOnPlane(2, 2e-3);    // of the whole upper face
+}
+
+TEST(Xpbd, IsNeverSofterThanItsBuilderSays) {
+  const double exact = plateDeflection(sceneParams(TissueSolver::kProjective));   // [m]
+  for (int substeps : {8, 16, 0}) {
+    SimParams p = sceneParams(TissueSolver::kXpbd);
+    p.tissue.substeps = substeps;
+    const TissueBlock sample(blockMesh(10, 4, 1, Vec3(20e-3, 8e-3, 2e-3)), p);
+    const double shortfall = sample.model.xpbd.stiffnessShortfall;     // [1]
+    const double softer = plateDeflection(p) / exact - 1.0;            // [1]
+    RecordProperty("softer_at_" + std::to_string(sample.model.xpbd.substeps), std::to_string(softer));
+    EXPECT_LE(softer, 1.05 * shortfall) << substeps;
+    EXPECT_GT(softer, 0.0);
+    if (substeps == 0) {
+      EXPECT_LE(shortfall, 0.05);
+    } else {
+      EXPECT_GT(shortfall, 0.05);
+    }
+  }
+}
+
 // ---- F5, the punch ---------------------------------------------------------------------------------------------------------------
 // A rigid frictionless square punch, half side b, on a block of half side and depth 20 b. Linear tets are too stiff beside the stress
 // singularity at its edge: 65 % with two cells per b, 18 % with eight, falling with the cell size. So the closed form is met in two
