@@ -6,7 +6,7 @@ set -eu
 packages="
   g++ cmake ninja-build
   libeigen3-dev
-  libosmesa6-dev libgl-dev libglfw3-dev libimgui-dev
+  libosmesa6-dev libgl-dev libglfw3-dev libimgui-dev fonts-dejavu-core
   libspdlog-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
   libsqlite3-dev libpng-dev ffmpeg
   libgtest-dev libgmock-dev libbenchmark-dev
