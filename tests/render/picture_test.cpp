@@ -1,5 +1,6 @@
 // Laws of the picture, and what it looked like when a person last looked at it (tests/golden).
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <cmath>
@@ -124,6 +125,19 @@ TEST_F(Picture, DrawsTheHeadUpDisplayOnlyWhenAsked) {
   hud = {};
   snapshot.bites = 7;
   EXPECT_TRUE(differs());
+}
+
+TEST_F(Picture, GrowsNoMemoryOnceWarm) {
+  Renderer renderer(scene, kWidth, kHeight);
+  const auto heldAfter = [&](int frames) {
+    for (int i = 0; i < frames; ++i) {
+      for (Vec3& p : snapshot.tissue) p.x() += i % 2 ? 1e-4 : -1e-4;
+      renderer.draw(snapshot, HudInput{}, scene.camera);
+    }
+    return mallinfo2().uordblks;                         // bytes in use; 0 under a sanitizer's allocator
+  };
+  const std::size_t warm = heldAfter(20), later = heldAfter(60);
+  EXPECT_LE(later, warm + 65536);
 }
 
 TEST_F(Picture, SurvivesASnapshotThatDoesNotFitTheScene) {
