@@ -64,11 +64,29 @@ void tickHands(Hands& hands, const std::array<Mover, kHands>& movers, std::uint6
   outcome.staleTicks += stale;
 }
 
-void report(const Hands& hands, const Schedule& schedule, double lateness, Links& links, HapticOutcome& outcome) noexcept {  // [s]
+/// The largest of the last hundred ticks or so.
+struct WorstOfHundred {
+  double last = 0.0, current = 0.0;            // [s]
+  int count = 0;
+
+  double update(double lateness) noexcept {    // [s]
+    current = std::max(current, lateness);
+    if (++count == 100) {
+      last = current;
+      current = 0.0;
+      count = 0;
+    }
+    return std::max(last, current);
+  }
+};
+
+void report(const Hands& hands, const Schedule& schedule, double lateness, WorstOfHundred& worst, Links& links,
+            const HapticOutcome& outcome) noexcept {   // [s]
   HapticRecord record;
   record.tick = schedule.tick;
   record.latenessMicroseconds = static_cast<float>(lateness * 1e6);
-  HapticStatus& status = links.hapticStatus.back();
+  HapticLevel& level = links.hapticStatus.back();
+  HapticStatus& status = level.status;
   for (int i = 0; i < kHands; ++i) {
     const Vec3& force = hands[i].output.force;
     record.force[i] = {static_cast<float>(force.x()), static_cast<float>(force.y()), static_cast<float>(force.z())};
@@ -78,6 +96,7 @@ void report(const Hands& hands, const Schedule& schedule, double lateness, Links
   status.tick = schedule.tick;
   status.skippedPeriods = schedule.skipped;
   status.staleTicks = outcome.staleTicks;
+  level.worstLateness = worst.update(lateness);
   links.hapticStatus.publish();
   links.hapticRecords.push(record);
 }
@@ -90,13 +109,14 @@ void runHaptic(Hands& hands, const std::array<Mover, kHands>& movers, Links& lin
   touchStack();
   const Nanoseconds start = monotonicNow();
   Schedule schedule{start + kPeriod};
+  WorstOfHundred worst;
   const ThreadUsage before = threadUsage();
   while (!links.stop.load(std::memory_order_relaxed)) {
     const double lateness = schedule.wait();   // [s]
     tickHands(hands, movers, schedule.tick, links, outcome);
     outcome.lateness.add(lateness);
     ++outcome.ticks;
-    report(hands, schedule, lateness, links, outcome);
+    report(hands, schedule, lateness, worst, links, outcome);
     const std::uint64_t missed = schedule.finish();
     if (missed > 0) links.hapticNotices.push({NoticeKind::kSkippedPeriods, schedule.tick, static_cast<std::int64_t>(missed)});
   }

@@ -29,6 +29,12 @@ struct Notice {
   std::int64_t value = 0;                      // periods, hand, fault bits: by kind
 };
 
+/// For the panel: the status and how late the worst of the last hundred ticks was, which is about the 99th percentile.
+struct HapticLevel {
+  HapticStatus status;
+  double worstLateness = 0.0;                  // [s]
+};
+
 struct Links {
   Links(const std::array<ToolSample, kHands>& atStart, const RenderSnapshot& sizedSnapshot, const render::Frame& sizedFrame,
         const State& sizedState)
@@ -39,7 +45,7 @@ struct Links {
   TripleBuffer<std::array<HandTarget, kHands>> scriptTargets;    // physics -> haptic
   TripleBuffer<HandTarget> mouseTarget;                          // main -> haptic
   TripleBuffer<RenderSnapshot> snapshot;                         // physics -> render
-  TripleBuffer<HapticStatus> hapticStatus;                       // haptic -> render
+  TripleBuffer<HapticLevel> hapticStatus;                        // haptic -> render
   TripleBuffer<PhysicsStatus> physicsStatus;                     // physics -> render
   TripleBuffer<render::Frame> frame;                             // render -> main
   TripleBuffer<State> wholeState;                                // physics -> recorder, every kStateInterval steps

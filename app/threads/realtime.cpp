@@ -33,8 +33,14 @@ bool becomeRealtime(int priority) noexcept {
   return pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted) == 0;
 }
 
-void becomeBackground() noexcept {
+void yieldToOthers() noexcept {
   constexpr int kNice = 10;
+  sched_param lowest{}, normal{};
+  lowest.sched_priority = 1;
+  if (pthread_setschedparam(pthread_self(), SCHED_FIFO, &lowest) == 0) {   // granted: asked only to know
+    pthread_setschedparam(pthread_self(), SCHED_OTHER, &normal);
+    return;
+  }
   setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), kNice);
 }
 

@@ -13,8 +13,9 @@ inline constexpr int kHapticPriority = 80, kPhysicsPriority = 70;
 
 /// First-in first-out scheduling and a timer without slack for the calling thread; false when the system does not permit it.
 bool becomeRealtime(int priority) noexcept;
-/// Yields to the real-time threads; threads that a library starts from here inherit it.
-void becomeBackground() noexcept;
+/// Where no real-time priority is granted, the calling thread at least yields to the others; threads that a library starts from
+/// here inherit it. Does nothing where the system grants one.
+void yieldToOthers() noexcept;
 /// Keeps touched pages in memory, where that is permitted without a limit.
 bool lockMemory() noexcept;
 /// Touches the stack that a real-time thread may use, so that it does not fault later.

@@ -50,8 +50,9 @@ struct Panel {
     links.hapticStatus.acquire();
     links.physicsStatus.acquire();
     hud.live = true;
-    hud.stale = links.hapticStatus.front().staleTicks != hud.haptic.staleTicks;
-    hud.haptic = links.hapticStatus.front();
+    hud.stale = links.hapticStatus.front().status.staleTicks != hud.haptic.staleTicks;
+    hud.haptic = links.hapticStatus.front().status;
+    hud.hapticLateness = links.hapticStatus.front().worstLateness * 1e6;
     hud.physics = links.physicsStatus.front();
     rates.frame(hud.haptic, hud.physics);
     hud.framesPerSecond = rates.framesPerSecond;
@@ -89,7 +90,7 @@ void drawFrames(const RenderScene& scene, const RenderOptions& options, double d
 }  // namespace
 
 void runRender(const RenderScene& scene, const RenderOptions& options, double dt, Links& links, RenderOutcome& outcome) noexcept {   // [s]
-  becomeBackground();
+  yieldToOthers();
   try {
     drawFrames(scene, options, dt, links, outcome);
   } catch (const std::exception& error) {

@@ -10,7 +10,7 @@
 namespace halsted::app {
 namespace {
 
-constexpr int kSteps = 400;
+constexpr int kSteps = 200;
 
 std::uint64_t hashAfter(Lockstep& run, int steps) {
   for (int i = 0; i < steps; ++i)
