@@ -12,6 +12,7 @@ namespace halsted::scenes {
 namespace {
 
 constexpr int kLevels = 240;                      // level sets along the tube; tuned: several per radius on a whole colon
+constexpr int kMostWandering = 4;                 // line over length of the surface; a tube's is near 1
 constexpr double kMostNonManifold = 0.25;         // [1] share of edges; the reference colon's parts share walls: 0.16
 
 /// Neighbouring vertices of each vertex, as one array with offsets.
@@ -231,7 +232,9 @@ Centreline traceCentreline(const Surface& surface) {
   for (int level = 0; level < kLevels; ++level)
     if (weights[level] > 0.0) centres.push_back(sums[level] / weights[level]);
   if (centres.size() < 4) throw InputError("is not a tube: it has no length");
-  return withEqualSpacing(centres, step);
+  const Centreline line = withEqualSpacing(centres, step);
+  if (line.points.size() > kMostWandering * kLevels) throw InputError("is not a tube: its middle line jumps to and fro");
+  return line;
 }
 
 Centreline resampled(const Centreline& line, double spacing) { return withEqualSpacing(line.points, spacing); }

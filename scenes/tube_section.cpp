@@ -6,49 +6,6 @@
 #include "scenes/portable_math.h"
 
 namespace halsted::scenes {
-namespace {
-
-using Vec2 = Eigen::Vector2d;
-
-constexpr double kGapShare = 0.3;  // [1] of the first wall's distance: keeps the wall gap sensible when the scale is wrong
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/// Where the plane cuts the surface, as pieces in the plane's own coordinates [m].
-std::vector<std::array<Vec2, 2>> slice(const Surface& surface, const SectionFrame& frame) {
-  std::vector<double> height(surface.vertices.size());  // [m] above the plane
-  for (std::size_t v = 0; v < height.size(); ++v) height[v] = (surface.vertices[v] - frame.centre).dot(frame.normal);
-  std::vector<std::array<Vec2, 2>> pieces;
-  for (const auto& t : surface.triangles) {
-    const bool above = height[t[0]] < 0.0;
-    if ((height[t[1]] < 0.0) == above && (height[t[2]] < 0.0) == above) continue;
-    std::array<Vec2, 2> piece;
-    int count = 0;
-    for (int k = 0; k < 3; ++k) {
-      const int a = t[k], b = t[(k + 1) % 3];
-      if ((height[a] < 0.0) == (height[b] < 0.0)) continue;
-      const Vec3 at = surface.vertices[a] + height[a] / (height[a] - height[b]) * (surface.vertices[b] - surface.vertices[a]);
-      piece[count++] = Vec2((at - frame.centre).dot(frame.right), (at - frame.centre).dot(frame.up));
-    }
-    pieces.push_back(piece);
-  }
-  return pieces;
-}
-
-/// The outermost hit of the first wall: hits within the gap behind one another are folds or the two faces of one wall.
-double firstWall(std::vector<double>& hits, double gap) {  // hits, gap [m]
-  if (hits.empty()) return Section::kMissing;
-  std::sort(hits.begin(), hits.end());
-  const double reach = std::min(gap, kGapShare * hits.front());  // [m]
-  double wall = hits.front();  // [m]
-  for (double hit : hits) {
-    if (hit - wall > reach) break;
-    wall = hit;
-  }
-  return wall;
-}
-
-}  // namespace
 
 SectionFrame transported(const SectionFrame& from, const Vec3& centre, const Vec3& normal) {
   SectionFrame frame;
@@ -105,25 +62,6 @@ Vec3 Section::centroid(const SectionFrame& frame) const {
     squares += radius[i] * radius[i];
   }
   return frame.centre + (2.0 / 3.0) * (cubesRight * frame.right + cubesUp * frame.up) / squares;
-}
-
-Section TubeSlicer::cut(const SectionFrame& frame, int rays) const {
-  const std::vector<std::array<Vec2, 2>> pieces = slice(surface_, frame);
-  Section section;
-  std::vector<double> hits;  // [m]
-  for (int i = 0; i < rays; ++i) {
-    const double angle = 2.0 * kPi * i / rays;  // [rad]
-    const Vec2 ray(cosine(angle), sine(angle));
-    hits.clear();
-    for (const auto& [a, b] : pieces) {
-      const double sideA = cross(ray, a), sideB = cross(ray, b);  // [m]
-      if ((sideA < 0.0) == (sideB < 0.0)) continue;
-      const double hit = ray.dot(a + sideA / (sideA - sideB) * (b - a));  // [m]
-      if (hit > 0.0) hits.push_back(hit);
-    }
-    section.radius.push_back(firstWall(hits, wallGap_));
-  }
-  return section;
 }
 
 }  // namespace halsted::scenes

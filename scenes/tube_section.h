@@ -34,16 +34,27 @@ struct Section {
   Vec3 centroid(const SectionFrame&) const;   // [m] needs filled rays
 };
 
-/// Cuts one surface many times. Keeps a reference to it.
+/// Cuts one surface many times, each time looking only at triangles near the plane. Keeps a reference to the surface.
 class TubeSlicer {
  public:
   /// `wallGap`: walls this near behind the first are the same (double) wall, and the outermost counts.  [m]
-  TubeSlicer(const Surface& surface, double wallGap) : surface_(surface), wallGap_(wallGap) {}
+  TubeSlicer(const Surface& surface, double wallGap);
   Section cut(const SectionFrame&, int rays) const;
 
  private:
+  /// Triangles that lie close together, and the box round them.
+  struct Cluster {
+    int begin = 0, end = 0;        // in order_
+    Vec3 centre = Vec3::Zero();    // [m]
+    Vec3 half = Vec3::Zero();      // [m]
+  };
+  using Piece = std::array<Eigen::Vector2d, 2>;   // [m] in the plane's own coordinates
+  std::vector<Piece> slice(const SectionFrame&) const;
+
   const Surface& surface_;
   double wallGap_ = 0.0;           // [m]
+  std::vector<int> order_;         // triangles along a space-filling curve
+  std::vector<Cluster> clusters_;
 };
 
 }  // namespace halsted::scenes
