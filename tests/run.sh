@@ -60,7 +60,7 @@ other_compiler() {
 
 # Address and undefined-behaviour sanitizers over every folder's tests; the long-running ones only in the full mode.
 address_sanitizer() {
-  export ASAN_OPTIONS=detect_leaks=1:halt_on_error=1 UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
+  export ASAN_OPTIONS=detect_leaks=1:halt_on_error=1 LSAN_OPTIONS=suppressions=$PWD/tests/support/lsan.supp:print_suppressions=0 UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
   build asan || return 1
   local filter=(-LE lint -E 'Golden|Slow|Window|Picture')
   [ "$mode" = full ] && filter=(-LE lint)
@@ -69,7 +69,7 @@ address_sanitizer() {
 
 # Thread sanitizer over the whole program in real time with virtual devices, the carriers, and the haptic code.
 thread_sanitizer() {
-  export TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1
+  export TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1:suppressions=$PWD/tests/support/tsan.supp
   build tsan halsted halsted_app_tests halsted_haptics_tests || return 1
   local filter=(-R 'TripleBuffer|SpscRing|Train|Haptic|HandLoop')
   [ "$mode" = full ] && filter=(-LE lint)

@@ -58,7 +58,7 @@ TEST(CommandLine, UnknownNamesAreNamed) {
 
 TEST(CommandLine, ABrokenScriptIsNamedWithItsLine) {
   const TemporaryFolder folder;
-  halsted::testing::writeText(folder.file("expert.toml"), "scene = \"purse_string\"\n\n[[action]]\nkind = \"dance\"\n");
+  halsted::testing::writeText(folder.file("expert.toml"), "scene = \"purse_string\"\n\n[[action]]\ndo = \"dance\"\n");
   expectRefused({"replay", folder.file("expert.toml")}, "expert.toml:");
 }
 
