@@ -152,12 +152,16 @@ bool choosePlaces(const Scene& s) {
 }  // namespace
 
 bool runBite(const Scene& s, std::string& failure) {
-  const int phase = s.memory.phase;
-  if (phase == kShow && s.inPhase == 0.0 && !choosePlaces(s)) {
-    failure = "the wall has no such place";
-    return false;
+  ExpertState& e = s.memory;
+  if (!e.planned) {
+    if (!choosePlaces(s)) {
+      failure = "the wall has no such place";
+      return false;
+    }
+    e.bite = s.state.strand.bitesBegun;
+    e.planned = true;
   }
-  if (phase == kShow && s.inPhase == 0.0) s.memory.bite = s.state.strand.bitesBegun;
+  const int phase = e.phase;
   if (phase <= kLeave) exchange(s);
   else if (phase <= kHoldClose) hold(s);
   else if (phase <= kDrive) drive(s, failure);

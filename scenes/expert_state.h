@@ -12,6 +12,7 @@ struct ExpertState {
   std::uint64_t actionStart = 0, phaseStart = 0;   // [steps]
   bool started = false;
   std::array<HandMotion, kHands> hand;
+  bool planned = false;                        // the action under way has looked for its places
   BitePlan plan;
   std::int32_t bite = 0;                       // number that the bite under way will have
   TissuePlace counter;                         // where the other hand holds the wall

@@ -36,6 +36,7 @@ struct StrandWork {
   int linkCount = 0;
   std::array<NeedleTurnLink, kHands> turns;
   int turnCount = 0;
+  int iterations = 0;                          // Newton iterations of the last solve
 };
 
 StrandWork prepareWork(const StrandModel&);

@@ -5,7 +5,8 @@
 namespace halsted {
 namespace {
 
-constexpr int kNewtonIterations = 2;           // the second removes the error of turning segments
+constexpr int kMostIterations = 8;              // a calm thread takes one; a whipping one turns its segments far in a step
+constexpr double kLengthTolerance = 2e-6;      // [m] a thousandth of a segment
 constexpr double kSwageStiffness = 2e5;        // [N/m] thread end to needle: a crimp, far stiffer than anything it pulls on
 
 /// The needle while iterating: pose of this iterate, and where inertia alone would take it.
@@ -111,7 +112,9 @@ class Assembly {
     addForce(p + 3, -needle.inertia * (stiff * lag + drag * moved));
   }
 
-  void stretch() {
+  /// The geometric stiffness takes the tension of the last linear solve, not that of the iterate: extrapolated rotation stretches every
+  /// segment, and the hundreds of newtons that it seems to carry would hold the thread on its inertial path against its own bending.
+  void stretch(const StrandState& s) {
     for (int i = 0; i + 1 < model_.nodes; ++i) {
       const Vec3 d = work_.iterate[i + 1] - work_.iterate[i];
       const double length = d.norm();
@@ -119,7 +122,7 @@ class Assembly {
       const Vec3 t = d / length;
       const double force = model_.axial * (length - model_.segment);                  // [N]
       Mat3 k = model_.axial * t * t.transpose();
-      if (force > 0.0) k += (force / length) * (Mat3::Identity() - t * t.transpose());
+      if (s.tension[i] > 0.0) k += (s.tension[i] / length) * (Mat3::Identity() - t * t.transpose());
       addBlock(3 * i, 3 * i, k);
       addBlock(3 * i, 3 * i + 3, -k);
       addBlock(3 * i + 3, 3 * i + 3, k);
@@ -211,6 +214,16 @@ void writeTensions(const StrandModel& m, const StrandWork& w, StrandState& s) {
   }
 }
 
+/// How far a segment is from the length that its tension in the linear solve says: what turning segments leave over [m].
+double lengthError(const StrandModel& m, const StrandWork& w, const StrandState& s) {
+  double worst = 0.0;
+  for (int i = 0; i + 1 < m.nodes; ++i) {
+    const double error = (w.iterate[i + 1] - w.iterate[i]).norm() - m.segment - s.tension[i] / m.axial;
+    worst = std::max(worst, error < 0.0 ? -error : error);
+  }
+  return worst;
+}
+
 void moveNeedle(const StrandModel& m, const double* u, NeedleIterate& n) {
   n.centre += Vec3(u[0], u[1], u[2]);
   n.pose.orientation = turned(n.pose.orientation, Vec3(u[3], u[4], u[5]));
@@ -237,18 +250,20 @@ bool solveStrand(const StrandModel& m, double dt, const Vec3& gravity, StrandSta
   NeedleIterate needle = beginNeedle(m, s, dt);
   for (int i = 0; i < m.nodes; ++i) w.iterate[i] = w.inertial[i] = s.position[i] + dt * s.velocity[i];
   Assembly assembly(m, dt, w);
-  for (int iteration = 0; iteration < kNewtonIterations; ++iteration) {
+  for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+    w.iterations = iteration + 1;
     w.matrix.setZero();
     std::fill(w.rhs.begin(), w.rhs.end(), 0.0);
     assembly.inertia(s, gravity, needle);
-    assembly.stretch();
+    assembly.stretch(s);
     assembly.bending();
     assembly.swage(needle);
     assembly.links(needle);
     if (!w.matrix.factorAndSolve(w.rhs.data())) return false;
-    if (iteration + 1 == kNewtonIterations) writeTensions(m, w, s);
+    writeTensions(m, w, s);
     for (int i = 0; i < m.nodes; ++i) w.iterate[i] += Vec3(w.rhs[3 * i], w.rhs[3 * i + 1], w.rhs[3 * i + 2]);
     moveNeedle(m, &w.rhs[3 * m.nodes], needle);
+    if (lengthError(m, w, s) < kLengthTolerance) break;
   }
   finish(m, dt, needle, s, w);
   return true;

@@ -9,12 +9,12 @@
 namespace halsted {
 namespace {
 
-constexpr double kTissueShare = 4.0;           // [1] neighbours that press on the same tissue; over-estimates its compliance
+constexpr double kTissueShare = 1.5;           // [1] over-estimates the compliance for neighbours that press on the same tissue
 constexpr double kSolidStiffness = 1500.0;     // [N/m] strand against steel, per step and incremental: the fixed point is rigid
 constexpr double kReach = 8e-3;                // [m] samples farther than this from every vertex are not examined
 constexpr double kStickSlide = 2e-7;           // [m] per step: below it friction holds (0.2 mm/s of creep)
 constexpr double kTipFriction = 0.8;           // [1] a sharp tip does not skid (design)
-constexpr double kSkinDepth = 1.5e-3;          // [m] deeper inside the wall a sample is in a cut, not against the surface
+constexpr double kSkinDepth = 3e-3;            // [m] a sample pressed in no deeper goes back out on the side that it came from
 constexpr int kRepairInterval = 32;            // steps between exhaustive searches of one sample
 
 struct Sample {
@@ -90,11 +90,13 @@ void offerTouch(const Model& m, const Sample& x, Touch& touch, State& state, int
 void touchTissue(const Model& m, const Sample& x, State& state, int& fresh) {
   StrandState& s = state.strand;
   const auto& tissue = state.tissue.position;
-  if ((static_cast<int>(state.step % kRepairInterval)) == x.index % kRepairInterval) {
-    s.nearVertex[x.index] = nearestVertex(m.surface, tissue, x.predicted);
-  }
   if (insideWall(s, x.coordinate, 1.2 * m.strand.segment)) return;   // the samples next to a hole are led by it
-  const SurfacePoint near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
+  SurfacePoint near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
+  const bool pressedIn = near.triangle >= 0 && near.distance < 0.0 && near.distance > -kSkinDepth;
+  if (!pressedIn && static_cast<int>(state.step % kRepairInterval) == x.index % kRepairInterval) {
+    s.nearVertex[x.index] = nearestVertex(m.surface, tissue, x.predicted);
+    near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
+  }
   if (near.triangle < 0 || near.distance < -kSkinDepth) return;
   Touch t;
   t.point = near.point;
