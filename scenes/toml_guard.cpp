@@ -1,13 +1,16 @@
 #include "scenes/toml_guard.h"
 
+#include <cstdint>
+#include <cstdio>
 #include <cstring>
+#include <utility>
 
 #include "scenes/input_text.h"
 
 namespace halsted::scenes {
 namespace {
 
-/// Where a character stands. A quote that is not closed ends with its line, where toml++ stops as well.
+/// Where a character stands. A quote that is not closed ends with its line, where toml++ refuses the text.
 struct Place {
   char quote = 0;          // the open quote, 0 outside
   bool threefold = false;  // it is a """ or '''
@@ -15,7 +18,7 @@ struct Place {
 
   bool bare() const { return quote == 0 && !comment; }
 
-  /// Takes what starts at `i` and returns how many characters that was.
+  /// Takes what starts at `i` and returns how many characters that was; a backslash and what follows it go together.
   std::size_t take(const std::string& text, std::size_t i) {
     const char c = text[i];
     if (c == '\n') {
@@ -26,12 +29,7 @@ struct Place {
     if (comment) return 1;
     if (quote == 0) return open(text, i);
     if (c == '\\' && quote == '"') return i + 1 < text.size() && text[i + 1] != '\n' ? 2 : 1;
-    if (c != quote) return 1;
-    if (threefold && text.compare(i, 3, std::string(3, quote)) != 0) return 1;
-    const std::size_t length = threefold ? 3 : 1;
-    quote = 0;
-    threefold = false;
-    return length;
+    return c == quote ? close(text, i) : 1;
   }
 
   std::size_t open(const std::string& text, std::size_t i) {
@@ -40,6 +38,16 @@ struct Place {
     quote = text[i];
     threefold = text.compare(i, 3, std::string(3, quote)) == 0;
     return threefold ? 3 : 1;
+  }
+
+  /// Up to two quotes before the closing three belong to the text.
+  std::size_t close(const std::string& text, std::size_t i) {
+    std::size_t length = 1;
+    while (threefold && length < 5 && i + length < text.size() && text[i + length] == quote) ++length;
+    if (threefold && length < 3) return length;
+    quote = 0;
+    threefold = false;
+    return length;
   }
 };
 
@@ -51,29 +59,74 @@ bool mayFollowBracket(const std::string& text, std::size_t i) {
   while (i < text.size() && (text[i] == ' ' || text[i] == '\t')) ++i;
   if (i >= text.size()) return true;
   const char c = text[i];
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || std::strchr(kMarks, c);
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (c && std::strchr(kMarks, c));
 }
 
-/// A quote inside a word (0"...) is never TOML, and toml++ then goes on reading what follows as if it stood outside the quotes.
-bool mayPrecedeQuote(const std::string& text, std::size_t i) { return i == 0 || std::strchr(" \t\r\n=[,{.", text[i - 1]); }
+/// RFC 3629. Length of the letter at `i` in bytes, 0 when it is not UTF-8.
+std::size_t decode(const std::string& text, std::size_t i, std::uint32_t& letter) {
+  const auto lead = static_cast<unsigned char>(text[i]);
+  const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+  if (lead < 0xc2 || lead > 0xf4 || i + length > text.size()) return 0;
+  letter = lead & (0x7fu >> length);
+  for (std::size_t k = 1; k < length; ++k) {
+    const auto next = static_cast<unsigned char>(text[i + k]);
+    if ((next & 0xc0) != 0x80) return 0;
+    letter = letter << 6 | (next & 0x3f);
+  }
+  constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool surrogate = letter >= 0xd800 && letter <= 0xdfff;
+  return letter < kLeast[length] || letter > 0x10ffff || surrogate ? 0 : length;
+}
+
+/// Copies text piece by piece, always knowing the line.
+struct AsciiWriter {
+  const std::string& text;
+  const std::string& origin;
+  std::string out;
+  long line = 1;
+
+  [[noreturn]] void fail(const char* what) const { throw InputError(quoted(origin) + ":" + std::to_string(line) + ": " + what); }
+
+  void addAscii(std::size_t i, bool bare) {
+    if (isControl(static_cast<unsigned char>(text[i]))) fail("a control character");
+    if (bare && text[i] == '[' && !mayFollowBracket(text, i + 1)) fail("'[' without a name or value");
+    if (text[i] == '\n') ++line;
+    out.push_back(text[i]);
+  }
+
+  std::size_t addLetter(std::size_t i, const Place& place) {
+    std::uint32_t letter = 0;
+    const std::size_t length = decode(text, i, letter);
+    if (length == 0) fail("bytes that are not UTF-8");
+    if (place.comment) {
+      out.push_back('?');
+      return length;
+    }
+    if (place.quote != '"') fail("a letter outside ASCII, outside double quotes");
+    char escaped[16];
+    std::snprintf(escaped, sizeof escaped, letter > 0xffff ? "\\U%08X" : "\\u%04X", static_cast<unsigned>(letter));
+    out += escaped;
+    return length;
+  }
+};
 
 }  // namespace
 
-void refuseUnsafeToml(const std::string& text, const std::string& origin) {
+std::string asciiToml(const std::string& text, const std::string& origin) {
   Place place;
-  long line = 1;
-  const auto fail = [&](const char* what) { throw InputError(quoted(origin) + ":" + std::to_string(line) + ": " + what); };
+  AsciiWriter writer{text, origin, {}, 1};
   for (std::size_t i = 0; i < text.size();) {
+    if (static_cast<unsigned char>(text[i]) >= 0x80) {
+      i += writer.addLetter(i, place);
+      continue;
+    }
     const bool bare = place.bare();
-    const std::size_t next = i + place.take(text, i);
-    if (bare && !place.bare() && !place.comment && !mayPrecedeQuote(text, i)) fail("a quote in the middle of a word");
-    for (; i < next; ++i) {
-      if (isControl(static_cast<unsigned char>(text[i]))) fail("a control character");
-      if (bare && static_cast<unsigned char>(text[i]) >= 0x80) fail("a letter outside ASCII, outside quotes");
-      if (bare && text[i] == '[' && !mayFollowBracket(text, i + 1)) fail("'[' without a name or value");
-      if (text[i] == '\n') ++line;
+    for (const std::size_t next = i + place.take(text, i); i < next; ++i) {
+      if (static_cast<unsigned char>(text[i]) >= 0x80) writer.fail("a backslash before a letter outside ASCII");
+      writer.addAscii(i, bare);
     }
   }
+  return std::move(writer.out);
 }
 
 }  // namespace halsted::scenes

@@ -1,11 +1,12 @@
 #pragma once
-/// What must be refused before toml++ sees it. Version 3.3 stops the program (assertion, unreachable code) on control characters in
-/// keys and on letters outside ASCII where neither a quote nor a comment holds them; TOML allows neither, so nothing is lost.
+/// What toml++ must not see. Version 3.3 reaches code that it declares unreachable on many letters outside ASCII (in keys, after a
+/// backslash, in text that does not end) and stops the program on some marks. So it is given ASCII only.
 #include <string>
 
 namespace halsted::scenes {
 
-/// Throws InputError "origin:line: ...".
-void refuseUnsafeToml(const std::string& text, const std::string& origin);
+/// The same TOML in ASCII: letters in double quotes become \uXXXX, in comments '?'. Throws InputError "origin:line: ..." for control
+/// characters, for bytes that are not UTF-8, and for letters outside ASCII anywhere else.
+std::string asciiToml(const std::string& text, const std::string& origin);
 
 }  // namespace halsted::scenes

@@ -7,9 +7,9 @@
 namespace halsted::scenes {
 
 toml::table parseToml(const std::string& text, const std::string& origin) {
-  refuseUnsafeToml(text, origin);
+  const std::string ascii = asciiToml(text, origin);
   try {
-    return toml::parse(text, origin);
+    return toml::parse(ascii, origin);
   } catch (const toml::parse_error& error) {
     throw InputError(quoted(origin) + ":" + std::to_string(error.source().begin.line) + ": " +
                      quoted(std::string(error.description())));

@@ -170,11 +170,16 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"[thread]\nnodes = 2000\nsegment_length = 0.02", "thread.segment_length: the thread is longer than 3 m"},
         BadText{"technique = \"a\\u0007b\"", "technique: contains a control character"},
         BadText{"[tissue", "test.toml:2: "},
-        BadText{"\u00e9 = 1", "test.toml:2: a letter outside ASCII, outside quotes"},
+        BadText{"\u00e9 = 1", "test.toml:2: a letter outside ASCII, outside double quotes"},
         BadText{"[tissue]\n# a comment may say \u00e9\ndensity \u00e9 = 1000", "test.toml:4: a letter outside ASCII"},
         BadText{"technique = \"\u00e9 \\\" \u00e9\"\n\u00e9 = 1", "test.toml:3: a letter outside ASCII"},
         BadText{"[!]", "test.toml:2: '[' without a name or value"}, BadText{"[+]", "test.toml: is not TOML"},
-        BadText{"technique = 0\"\u00e9\"", "test.toml:2: a quote in the middle of a word"},
+        BadText{"technique = \"\\\u00e9\"", "test.toml:2: a backslash before a letter outside ASCII"},
+        BadText{"technique = \"\xff\"", "test.toml:2: bytes that are not UTF-8"},
+        BadText{"technique = \"\xc0\x80\"", "test.toml:2: bytes that are not UTF-8"},
+        BadText{"technique = \"\xed\xa0\x80\"", "test.toml:2: bytes that are not UTF-8"},
+        BadText{"technique = '\u00e9'", "test.toml:2: a letter outside ASCII, outside double quotes"},
+        BadText{"technique = 0\"\u00e9\"", "test.toml:2: "},
         BadText{"a\x01 = 1", "test.toml:2: a control character"},
         BadText{"title = \"again\"", "test.toml:2: "},
         BadText{"procedure = 3", "procedure: must be [[procedure]] tables, is an integer"},
@@ -196,7 +201,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(SceneReader, KeepsLettersOfAnyLanguageInQuotes) {
   EXPECT_EQ(withTitle("technique = \"N\u00e4hte\" # \u00e9").technique, "N\u00e4hte");
-  EXPECT_EQ(withTitle("technique = \'\'\'a\'\u00e9\'\'\'").technique, "a\'\u00e9");
+  EXPECT_EQ(withTitle("technique = \"\"\"\n\"a\"\u00e9\"\"\"\"").technique, "\"a\"\u00e9\"");
+  EXPECT_EQ(withTitle("technique = \"\u20ac \U0001F9F5\"").technique, "\u20ac \U0001F9F5");
 }
 
 TEST(SceneReader, NeedsATitle) { expectRefused([] { parse(""); }, {"test.toml: title: is missing"}); }
