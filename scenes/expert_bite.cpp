@@ -11,6 +11,8 @@ constexpr double kForcepsFromTip = 2.5e-3;     // [m] of arc behind the tip: whe
 constexpr double kLeadIn = 0.6, kLeadOut = 0.9, kLeadOutMost = 1.35;   // [rad] tip before the entry; past the exit
 constexpr double kClear = 0.02;                // [m] needle held off the wall
 constexpr double kSweepSpeed = 0.012;          // [m/s] along the arc
+constexpr double kPressAngle = 0.2;            // [rad] past the planned entry: still not through, the surgeon presses instead of turning
+constexpr double kPressSpeed = 0.012, kPressMost = 0.010;      // [m/s] [m] along the needle's point
 constexpr double kDrawSpeed = 0.02;            // [m/s] needle out along the arc
 constexpr double kPullSpeed = 0.06;            // [m/s] thread through
 constexpr double kReach = 0.065;               // [m] an arm's move inside the device's workspace
@@ -31,6 +33,24 @@ double driverCoordinate(const Model& m) { return m.strand.length + kDriverHold *
 Pose toolFor(const Scene& s, int hand, const Pose& needle) { return compose(needle, inverse(s.state.tools[hand].needleInTool)); }
 
 Pose onCircle(const Scene& s, const Vec3& offset) { return needleOnCircle(s.model, s.memory.plan, s.memory.tipAngle, offset); }
+
+/// The circle as far as pressing has carried it along.
+Pose onPressedCircle(const Scene& s) { return onCircle(s, s.memory.pressed * s.memory.pressAlong); }
+
+/// Has the tip gone in?
+bool entered(const State& s, std::int32_t bite) { return s.strand.holeCount > 0 && s.strand.holes[s.strand.holeCount - 1].bite >= bite; }
+
+/// Turns the needle a step further, or presses while the wall only gives way.
+void turnOrPress(const Scene& s, double most) {
+  ExpertState& e = s.memory;
+  const double press = e.plan.entryAngle + kPressAngle;
+  if (e.tipAngle >= press && !entered(s.state, e.bite) && e.pressed < kPressMost) {
+    e.pressAlong = sine(press) * e.plan.out + cosine(press) * e.plan.along;
+    e.pressed += kPressSpeed * s.dt;
+  } else if (e.tipAngle < most) {
+    e.tipAngle += kSweepSpeed / s.model.strand.needle.radius * s.dt;
+  }
+}
 
 void goTo(const Scene& s, int phase) {
   s.memory.phase = phase;
@@ -95,8 +115,8 @@ void drive(const Scene& s, std::string& failure) {
   } else {
     const bool out = exitHole(s.state, e.bite) != nullptr;
     const double most = e.plan.exitAngle + (out ? kLeadOut : kLeadOutMost);
-    if (e.tipAngle < most) e.tipAngle += kSweepSpeed / s.model.strand.needle.radius * s.dt;
-    moveHand(s, kRight, toolFor(s, kRight, onCircle(s, Vec3::Zero())), 0.05);
+    turnOrPress(s, most);
+    moveHand(s, kRight, toolFor(s, kRight, onPressedCircle(s)), 0.05);
     if (out && e.tipAngle >= most) { e.goal[kLeft] = above(e.hand[kLeft].command, 0.02); nextPhase(s); }
     else if (!out && e.tipAngle >= most && s.inPhase > 4.0) failure = "the needle did not come out of the wall";
   }
@@ -126,7 +146,7 @@ bool drawThrough(const Scene& s) {
   if (e.phase == kDraw) {
     const double whole = e.plan.exitAngle + s.model.strand.needle.angle + 0.25;
     if (e.tipAngle < whole) e.tipAngle += kDrawSpeed / s.model.strand.needle.radius * s.dt;
-    const bool there = moveHand(s, kLeft, toolFor(s, kLeft, onCircle(s, Vec3::Zero())), 0.05) && e.tipAngle >= whole;
+    const bool there = moveHand(s, kLeft, toolFor(s, kLeft, onPressedCircle(s)), 0.05) && e.tipAngle >= whole;
     if (!there) return false;
     e.pullFrom = e.hand[kLeft].command.position;
     e.pullAlong = (e.plan.out + 0.6 * Vec3::UnitZ()).normalized();
@@ -159,6 +179,7 @@ bool runBite(const Scene& s, std::string& failure) {
       return false;
     }
     e.bite = s.state.strand.bitesBegun;
+    e.pressed = 0.0;
     e.planned = true;
   }
   const int phase = e.phase;

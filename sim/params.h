@@ -47,7 +47,7 @@ struct NeedleParams {                          // [needle]
   double punctureForce = 0.8;                  // puncture_force [N] bowel 0.5 to 2 N, physics.md D
   double exitForce = 0.25;                     // exit_force [N] tip leaving through the surface (design)
   double cutForce = 0.15;                      // cut_force [N] tip advancing inside the wall (design)
-  double tearForce = 3.0;                      // tear_force [N] lateral load at which a hole tears (design)
+  double tearForce = 6.0;                      // tear_force [N] lateral load at which a hole tears (design)
   double shaftFriction = 20.0;                 // shaft_friction [N/m] Coulomb friction per inserted length (design)
 };
 

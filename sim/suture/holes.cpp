@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kNeedleFriction = 0.10;       // [1] polished steel in wet tissue, along the arc (design)
 constexpr double kMostSlide = 1e-3;            // [m] a step: 1 m/s of thread through a hole
+constexpr double kOutOfHole = 0.3e-3;          // [m] the tip is this far out of a hole before the hole counts as left
 constexpr double kWithdrawForce = 0.02;        // [N] drag on a tip drawn back along its own cut (design)
 
 bool onNeedle(const Model& m, const Hole& h) { return h.coordinate > m.strand.length; }
@@ -84,7 +85,7 @@ StrandLink holeLink(const Model& m, const StrandState& s, const Hole& h, const V
 double withinReach(const Model& m, const StrandState& s, const HoleWork& w, int i, double wanted) {
   constexpr double kStraight = 0.9;            // [1] of the way: the tissue still answers to this step's forces, and needles are bent
   const auto least = [&](int other) { return kStraight * (w.point[i] - w.point[other]).norm(); };
-  double low = -1.0, high = tipCoordinate(m.strand);
+  double low = -1.0, high = tipCoordinate(m.strand) + 2.0 * kOutOfHole;
   if (i > 0) low = s.holes[i - 1].coordinate + least(i - 1);
   if (i + 1 < s.holeCount) high = s.holes[i + 1].coordinate - least(i + 1);
   const double here = s.holes[i].coordinate;   // never thrown back by a neighbour that is already too near
@@ -109,7 +110,9 @@ Vec3 settleFriction(const Model& m, State& state, int i, const Vec3& solved) {
   const Vec3 point = w.point[i] - w.self[i] * (solved - h.force);
   const double slide = t.dot(point - strandPoint(m.strand, s, h.coordinate));   // [m]
   if (h.slip * slide < 0.0) { h.slip = 0; return solved; }
-  const double wanted = h.coordinate + (magnitude(slide) > kMostSlide ? h.slip * kMostSlide : slide);
+  const double tip = tipCoordinate(m.strand);                  // past the tip there is no strand: the way out of the hole counts
+  const double from = h.coordinate < tip ? h.coordinate : tip;
+  const double wanted = from + (magnitude(slide) > kMostSlide ? h.slip * kMostSlide : slide);
   h.coordinate = withinReach(m, s, w, i, wanted);
   if (h.coordinate != wanted) h.slip = 0;
   return solved;
@@ -160,7 +163,7 @@ void removeLeftHoles(const Model& m, State& state, StepOutput& out) {
   const double tip = tipCoordinate(m.strand);
   for (int i = 0; i < s.holeCount; ++i) {
     Hole& h = s.holes[i];
-    const bool atTip = h.coordinate >= tip - 1e-5 && h.slip > 0;
+    const bool atTip = h.coordinate >= tip + kOutOfHole;
     const double pull = h.force.norm();
     if (pull > m.params.needle.tearForce) {
       ++state.metrics.tears;

@@ -9,11 +9,12 @@
 namespace halsted {
 namespace {
 
-constexpr double kTissueShare = 1.5;           // [1] over-estimates the compliance for neighbours that press on the same tissue
-constexpr double kSolidStiffness = 1500.0;     // [N/m] strand against steel, per step and incremental: the fixed point is rigid
+constexpr double kTissueShare = 3.0;           // [1] over-estimates the compliance for neighbours that press on the same tissue
+constexpr double kSolidStiffness = 800.0;      // [N/m] strand against steel, per step and incremental: the fixed point is rigid
+constexpr double kMostForce = 2.0;             // [N] on one sample: a thread pinched harder sinks into the tissue instead
 constexpr double kReach = 8e-3;                // [m] samples farther than this from every vertex are not examined
 constexpr double kStickSlide = 2e-7;           // [m] per step: below it friction holds (0.2 mm/s of creep)
-constexpr double kTipFriction = 0.8;           // [1] a sharp tip does not skid (design)
+constexpr double kTipFriction = 2.0;           // [1] a sharp tip catches: the dimple under it turns to face it (design)
 constexpr double kSkinDepth = 3e-3;            // [m] a sample pressed in no deeper goes back out on the side that it came from
 constexpr int kRepairInterval = 32;            // steps between exhaustive searches of one sample
 
@@ -51,7 +52,7 @@ double triangleCompliance(const Model& m, int triangle, const std::array<double,
 struct Touch {
   Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();   // [m] surface point now; [1] toward the strand
   Vec3 moved = Vec3::Zero();                           // [m] motion of the surface point in this step
-  double stiffness = 0.0, friction = 0.0;              // [N/m]; [1]
+  double stiffness = 0.0;                              // [N/m]
   StrandContact record;
 };
 
@@ -64,24 +65,44 @@ const StrandContact* previousContact(const StrandState& s, int sample, int featu
   return nullptr;
 }
 
+double frictionCoefficient(const Model& m, const StrandContact& c) {
+  if (c.feature >= static_cast<int>(m.surface.triangles.size())) return m.params.contact.threadToolFriction;
+  return c.sample + 1 == sampleCount(m.strand) ? kTipFriction : m.params.contact.threadTissueFriction;
+}
+
+/// Friction of one contact as a linear spring against the slide of this step, from a force carried over.
+struct Friction {
+  double stiffness = 0.0;                      // [N/m]
+  Vec3 carried = Vec3::Zero();                 // [N] tangential
+};
+
+/// The thread weighs next to nothing: Coulomb's law as a lagged secant holds it. The needle is as stiff as the hand that holds it:
+/// its friction is carried from step to step and grows while it sticks, so that the tissue follows (limited after the solve).
+Friction frictionOf(const Model& m, const Sample& x, const Touch& touch, double push) {
+  const double held = touch.record.normalForce > 0.0 ? touch.record.normalForce : push;
+  if (x.index >= m.strand.nodes) {
+    const Vec3& old = touch.record.force;
+    return {touch.stiffness, old - old.dot(touch.normal) * touch.normal};
+  }
+  const Vec3 slide = x.predicted - x.position - touch.moved;
+  const double tangential = (slide - slide.dot(touch.normal) * touch.normal).norm();   // [m]
+  return {frictionCoefficient(m, touch.record) * held / std::fmax(tangential, kStickSlide), Vec3::Zero()};
+}
+
 /// Adds the link if the contact would push; keeps its record in `fresh`.
 void offerTouch(const Model& m, const Sample& x, Touch& touch, State& state, int& fresh) {
   StrandWork& w = state.work.strand;
   const double gap = touch.normal.dot(x.predicted - touch.point) - x.radius;     // [m]
   const double push = touch.record.normalForce - touch.stiffness * gap;          // [N] at the predicted position
   if (push <= 0.0 || fresh >= StrandState::kMaxContacts) return;
-  const Vec3 slide = x.predicted - x.position - touch.moved;
-  const double tangential = (slide - slide.dot(touch.normal) * touch.normal).norm();   // [m]
-  const double held = touch.record.normalForce > 0.0 ? touch.record.normalForce : push;
-  double grip = touch.friction * held / std::fmax(tangential, kStickSlide);      // [N/m] Coulomb, lagged secant
-  grip = std::fmin(grip, touch.stiffness);
   const Mat3 nn = touch.normal * touch.normal.transpose();
+  const Friction grip = frictionOf(m, x, touch, push);
   StrandLink link;
   link.coordinate = x.index < m.strand.nodes ? x.coordinate : x.coordinate + 1e-12;
-  link.stiffness = touch.stiffness * nn + grip * (Mat3::Identity() - nn);
+  link.stiffness = touch.stiffness * nn + grip.stiffness * (Mat3::Identity() - nn);
   const Vec3 onSurface = touch.point + x.radius * touch.normal, stuck = x.position + touch.moved;
   link.anchor = stuck + nn * (onSurface - stuck);
-  link.force0 = touch.record.normalForce * touch.normal;
+  link.force0 = touch.record.normalForce * touch.normal + grip.carried;
   if (!addLink(w, link)) return;
   touch.record.force = touch.normal;           // until the solve: the direction
   state.work.freshContacts[fresh++] = touch.record;
@@ -103,10 +124,9 @@ void touchTissue(const Model& m, const Sample& x, State& state, int& fresh) {
   t.normal = near.normal;
   t.moved = near.point - pointOn(m.surface, state.work.tissue.previous, near.triangle, near.weight);
   t.stiffness = 1.0 / (kTissueShare * triangleCompliance(m, near.triangle, near.weight) + 1e-5);
-  t.friction = x.isTip ? kTipFriction : m.params.contact.threadTissueFriction;
   const int triangles = static_cast<int>(m.surface.triangles.size());
   const StrandContact* old = previousContact(s, x.index, near.triangle, true, triangles);
-  t.record = {x.index, near.triangle, old ? old->normalForce : 0.0, Vec3::Zero(), near.weight};
+  t.record = {x.index, near.triangle, old ? old->normalForce : 0.0, old ? old->force : Vec3(Vec3::Zero()), near.weight};
   offerTouch(m, x, t, state, fresh);
 }
 
@@ -122,10 +142,9 @@ void touchSolid(const Model& m, const Sample& x, const SolidMotion& motion, int 
   t.point = axis + c.radius * t.normal;
   t.moved = axis - (b.a + f * (b.b - b.a));
   t.stiffness = kSolidStiffness;
-  t.friction = m.params.contact.threadToolFriction;
   const int feature = static_cast<int>(m.surface.triangles.size()) + solid;
   const StrandContact* old = previousContact(state.strand, x.index, feature, false, 0);
-  t.record = {x.index, feature, old ? old->normalForce : 0.0, Vec3::Zero(), {}};
+  t.record = {x.index, feature, old ? old->normalForce : 0.0, old ? old->force : Vec3(Vec3::Zero()), {}};
   offerTouch(m, x, t, state, fresh);
 }
 
@@ -141,11 +160,12 @@ void addTissueForce(const Model& m, const StrandContact& c, const Vec3& onStrand
   for (int k = 0; k < 3; ++k) nodal[v[k]] -= c.weight[k] * onStrand;
 }
 
-/// The tip presses hard enough, pointing into the tissue: it goes through.
+/// The tip presses hard enough along its own axis, pointing into the tissue: it goes through.
 bool punctures(const Model& m, const StrandState& s, const StrandContact& c, const Vec3& normal) {
   constexpr double kSkimming = 0.25;           // [1] cosine: flatter than 75 degrees from the normal it only scratches
-  if (c.sample + 1 != sampleCount(m.strand) || c.normalForce < m.params.needle.punctureForce) return false;
-  return -strandTangent(m.strand, s, tipCoordinate(m.strand)).dot(normal) > kSkimming;
+  if (c.sample + 1 != sampleCount(m.strand)) return false;
+  const Vec3 axis = strandTangent(m.strand, s, tipCoordinate(m.strand));
+  return -c.force.dot(axis) >= m.params.needle.punctureForce && -axis.dot(normal) > kSkimming;
 }
 
 }  // namespace
@@ -176,7 +196,11 @@ void settleContacts(const Model& m, int firstLink, State& state, StepOutput& out
     const Vec3 normal = c.force, solved = state.work.strand.links[firstLink + i].force;
     c.normalForce = solved.dot(normal);
     if (c.normalForce <= 0.0) continue;
-    c.force = solved;
+    const double share = c.normalForce > kMostForce ? kMostForce / c.normalForce : 1.0;
+    const Vec3 tangent = solved - c.normalForce * normal;
+    const double limit = frictionCoefficient(m, c) * c.normalForce, size = tangent.norm();
+    c.force = share * (c.normalForce * normal + (size > limit ? limit / size : 1.0) * tangent);
+    c.normalForce *= share;
     if (c.feature < triangles && punctures(m, s, c, normal)) { punctured = i; continue; }
     addTissueForce(m, c, c.force, state.work.change);
     const int hand = c.feature < triangles ? -1 : solidHand(c.feature - triangles);
@@ -187,7 +211,7 @@ void settleContacts(const Model& m, int firstLink, State& state, StepOutput& out
   s.contactCount = kept;
   if (punctured >= 0) {
     const StrandContact& c = state.work.freshContacts[punctured];
-    openEntry(m, c.feature, c.weight, c.force, state, out);   // `force` still holds the direction
+    openEntry(m, c.feature, c.weight, c.force, state, out);   // `force` still holds the normal
   }
 }
 
