@@ -45,6 +45,8 @@ inline Pose frame(const Vec3& origin, const Vec3& x, const Vec3& y) {   // origi
 
 inline const Pose kAway{Vec3(-0.15, -0.15, 0.15), Quat::Identity()};   // a tool that touches nothing
 
+inline const Pose kNeedleAway{Vec3(0.15, 0.15, 0.15), Quat::Identity()};   // thread straight and free of force behind it
+
 /// The right hand holds the needle as it was loaded; the left hand starts where told, jaws open.
 struct StepRig {
   Model model;

@@ -1,0 +1,177 @@
+/// A tool against the wall and a grasp of its edge, through the whole step.
+#include <gtest/gtest.h>
+
+#include "tests/sim/step_rig.h"
+
+namespace halsted {
+namespace {
+
+/// Closed jaws, shaft along +x: the tool comes at the face x = 4 mm between mesh lines.
+Pose pressing(double gap, double aside = 0.0) {  // [m] from the jaws' surface to the face, and along y
+  return frame(Vec3(kWallX + 1.2e-3 + gap, 12e-3 + aside, 11e-3), Vec3::UnitY(), Vec3::UnitZ());
+}
+
+struct Press : StepRig {
+  Press() : StepRig(wallParams(), kNeedleAway, pressing(20e-3)) {
+    input.tools[kLeft].jaw = 0.0;
+    run(2);
+  }
+  void to(const Pose& pose) { input.tools[kLeft].pose = pose; step(); }
+  const ToolState& tool() const { return state.tools[kLeft]; }
+  Vec3 onTissue() const {                        // [N]
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < tool().contactCount; ++i) sum += tool().contactForce[i];
+    return sum;
+  }
+  /// What the foot holds the wall with: the elastic energy's slope against a shift of all free particles.  [N]
+  Vec3 footReaction() const {
+    std::vector<bool> fixed(model.mesh.vertices.size(), false);
+    for (int v : model.mesh.fixed) fixed[v] = true;
+    const double shift = 1e-8;                   // [m]
+    Vec3 force;
+    for (int axis = 0; axis < 3; ++axis) {
+      double energy[2];                          // [J]
+      for (int side = 0; side < 2; ++side) {
+        TissueState moved = state.tissue;
+        for (std::size_t i = 0; i < fixed.size(); ++i)
+          if (!fixed[i]) moved.position[i][axis] += side ? shift : -shift;
+        energy[side] = elasticEnergy(model.tissue, moved);
+      }
+      force[axis] = (energy[1] - energy[0]) / (2.0 * shift);
+    }
+    return force;
+  }
+};
+
+TEST(ToolContact, ForceIsWhatHoldsTheWallInStaticEquilibrium) {
+  Press p;
+  for (int k = 0; k < 300; ++k) p.to(pressing(20e-3 - 7e-5 * k));
+  p.run(2000);
+  const Vec3 force = p.onTissue(), held = p.footReaction();
+  ASSERT_LT(p.tissueSpeed(), 1e-5);
+  ASSERT_LT(force.x(), -0.1);
+  RecordProperty("force_n", std::to_string(force.norm()));
+  RecordProperty("foot_over_tool", std::to_string(held.x() / force.x()));
+  EXPECT_LT((held - force).norm(), 0.01 * force.norm());
+  EXPECT_LT((p.tool().force + force).norm(), 1e-12);         // and the hand feels its opposite
+  EXPECT_LT((p.out.contact[kLeft].force - p.tool().force).norm(), 1e-12);
+}
+
+/// The simulated tool stands off the device by the force over the coupling.
+TEST(ToolContact, ProxyStandsOffTheDeviceByTheForceOverTheCoupling) {
+  Press p;
+  for (int k = 0; k < 300; ++k) {
+    p.to(pressing(20e-3 - 7e-5 * k));
+    const Vec3 off = p.model.params.tools[kLeft].couplingStiffness * (p.tool().proxy.position - p.tool().device.position);
+    ASSERT_LT((off - p.tool().force).norm(), 1e-9);
+  }
+}
+
+TEST(ToolContact, NothingSticksOnRetreat) {
+  Press p;
+  for (int k = 0; k < 300; ++k) p.to(pressing(20e-3 - 7e-5 * k));
+  p.run(300);
+  for (int k = 300; k > 0; --k) {
+    p.to(pressing(20e-3 - 7e-5 * k));
+    for (int i = 0; i < p.tool().contactCount; ++i) ASSERT_GE(p.tool().contactForce[i].dot(p.tool().contactNormal[i]), 0.0);
+    ASSERT_LE(p.onTissue().x(), 1e-12) << "the wall is drawn along";
+  }
+  EXPECT_EQ(p.tool().contactCount, 0);
+  EXPECT_EQ(p.tool().force, Vec3::Zero());
+  EXPECT_FALSE(p.out.contact[kLeft].touching);
+  p.run(2000);
+  EXPECT_LT(p.displacement(), 1e-6);
+}
+
+TEST(ToolContact, EveryContactRespectsItsFrictionCone) {
+  Press p;
+  for (int k = 0; k < 300; ++k) p.to(pressing(20e-3 - 7e-5 * k));
+  const double mu = p.model.params.contact.toolTissueFriction;               // [1]
+  double dragged = 0.0;                          // [1] largest ratio seen
+  int seen = 0;
+  for (int k = 0; k < 1500; ++k) {
+    p.to(pressing(-1e-3, 5e-3 * std::sin(6.28e-3 * k)));
+    for (int i = 0; i < p.tool().contactCount; ++i) {
+      const Vec3 f = p.tool().contactForce[i], n = p.tool().contactNormal[i];
+      const double normal = f.dot(n), tangential = (f - normal * n).norm();    // [N]
+      ASSERT_LE(tangential, mu * normal + 1e-9);
+      dragged = std::max(dragged, tangential / normal);
+      ++seen;
+    }
+  }
+  ASSERT_GT(seen, 1000);
+  EXPECT_NEAR(dragged / mu, 1.0, 1e-6);          // and it does slide on the cone
+}
+
+TEST(ToolContact, TheOtherHandFeelsNothing) {
+  Press p;
+  for (int k = 0; k < 400; ++k) {
+    p.to(pressing(20e-3 - 5.5e-5 * k));
+    const LocalContact& other = p.out.contact[kRight];
+    ASSERT_LT(other.force.norm(), 1e-9);
+    ASSERT_LT(other.stiffness.norm(), 1e-9);
+    ASSERT_FALSE(other.touching);
+    ASSERT_EQ(other.planeCount, 0);
+  }
+  EXPECT_GT(p.tool().force.norm(), 0.1);
+}
+
+/// Open jaws straddle the top edge from above.
+Pose straddling(double rise) { return {Vec3(0.5 * kWallX, 12e-3, kWallZ - 2e-3 + rise), Quat::Identity()}; }   // [m]
+
+struct EdgeGrasp : StepRig {
+  EdgeGrasp() : StepRig(wallParams(), kNeedleAway, straddling(0.0)) { run(10); }
+  void close() {
+    for (int k = 0; k < 100; ++k) { input.tools[kLeft].jaw = 1.0 - 7e-3 * k; step(); }
+  }
+};
+
+TEST(Grasp, HoldsTheEdgeAndLiftsItWithTheHand) {
+  EdgeGrasp g;
+  g.close();
+  ASSERT_GT(g.state.tools[kLeft].graspCount, 0);
+  for (int k = 0; k < 200; ++k) { g.input.tools[kLeft].pose = straddling(5e-6 * k); g.step(); }
+  g.run(500);
+  EXPECT_LT(g.state.tools[kLeft].force.z(), -0.1);           // the wall pulls the hand back down
+  const ToolState& t = g.state.tools[kLeft];
+  for (int i = 0; i < t.graspCount; ++i) {
+    const Vec3 held = pointOn(g.model.surface, g.state.tissue.position, t.graspTriangle[i], t.graspWeight[i]);
+    EXPECT_LT((held - t.proxy.apply(t.graspLocal[i])).norm(), 0.1e-3);
+  }
+}
+
+TEST(Grasp, ReleaseReturnsTheTissueToRest) {
+  EdgeGrasp g;
+  g.close();
+  for (int k = 0; k < 200; ++k) { g.input.tools[kLeft].pose = straddling(5e-6 * k); g.step(); }
+  ASSERT_GT(g.displacement(), 0.2e-3);
+  g.input.tools[kLeft].jaw = 1.0;
+  g.step();
+  EXPECT_TRUE(g.happened(EventKind::kTissueReleased));
+  EXPECT_TRUE(g.out.contact[kLeft].puncture);    // the force may jump
+  EXPECT_EQ(g.state.tools[kLeft].graspCount, 0);
+  for (int k = 0; k < 2000; ++k) { g.input.tools[kLeft].pose = straddling(1e-3 + 2e-5 * k); g.step(); }
+  EXPECT_LT(g.displacement(), 1e-6);
+  EXPECT_LT(g.tissueSpeed(), 1e-6);
+  EXPECT_EQ(g.state.tools[kLeft].force, Vec3::Zero());
+}
+
+TEST(Grasp, SlipsOutAboveTheGripForce) {
+  EdgeGrasp g;
+  g.close();
+  ASSERT_GT(g.state.tools[kLeft].graspCount, 0);
+  double most = 0.0;                             // [N]
+  for (int k = 0; k < 1000; ++k) {
+    g.input.tools[kLeft].pose = straddling(1e-5 * k);
+    g.step();
+    double sum = 0.0;                            // [N]
+    for (int i = 0; i < g.state.tools[kLeft].graspCount; ++i) sum += g.state.tools[kLeft].graspForce[i].norm();
+    most = std::max(most, sum);
+  }
+  RecordProperty("most_n", std::to_string(most));
+  EXPECT_LE(most, g.model.params.tools[kLeft].gripForce * (1.0 + 1e-9));
+  EXPECT_GT(most, 0.5 * g.model.params.tools[kLeft].gripForce);
+}
+
+}  // namespace
+}  // namespace halsted
