@@ -62,7 +62,7 @@ bool runTighten(const Scene& s, std::string&) {
   const double last = strandTension(s.model.strand, strand, strand.holes[strand.holeCount - 1].coordinate, 1);
   const bool tight = std::fmin(first, last) >= s.action.tension;
   if (!tight && e.pulled < kTightenReach) e.pulled += kTightenSpeed * s.dt;
-  const Vec3 toLeft = Vec3(-1.0, 0.15, 0.35).normalized(), toRight = Vec3(1.0, 0.15, 0.35).normalized();
+  const Vec3 toLeft = Vec3(-1.0, -0.35, 0.25).normalized(), toRight = Vec3(1.0, -0.35, 0.25).normalized();
   moveHand(s, kLeft, {e.goal[kLeft].position + e.pulled * toLeft, e.goal[kLeft].orientation}, 0.1);
   moveHand(s, kRight, {e.goal[kRight].position + e.pulled * toRight, e.goal[kRight].orientation}, 0.1);
   return (tight || e.pulled >= kTightenReach) && s.inPhase > 1.5;
