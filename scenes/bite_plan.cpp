@@ -9,7 +9,6 @@
 namespace halsted::scenes {
 namespace {
 
-constexpr double kDip = 1.2e-3;                // [m] the circle is set this much deeper than entry and exit ask: the wall dimples
 constexpr double kClockwiseStep = 0.25;        // [deg] when walking along the rim to the exit
 
 /// Arc sine by Newton on the portable sine; |x| < 1.
@@ -74,14 +73,14 @@ bool planPlaces(const Model& m, const ExpertAction& a, BitePlan& plan) {
   return false;
 }
 
-void planCircle(const Model& m, const State& s, double width, BitePlan& plan) {
+void planCircle(const Model& m, const State& s, double width, double dip, BitePlan& plan) {
   const Vec3 entry = positionOf(m, s, plan.entry), exit = positionOf(m, s, plan.exit);
   plan.along = (exit - entry).normalized();
   Vec3 out = normalOf(m, s, plan.entry) + normalOf(m, s, plan.exit);
   plan.out = (out - out.dot(plan.along) * plan.along).normalized();
   plan.axis = plan.along.cross(plan.out);
   const double r = m.strand.needle.radius, half = 0.5 * std::fmin(width, (exit - entry).norm());
-  plan.centre = 0.5 * (entry + exit) + (std::sqrt(r * r - half * half) - kDip) * plan.out;
+  plan.centre = 0.5 * (entry + exit) + (std::sqrt(r * r - half * half) - dip) * plan.out;
   plan.exitAngle = arcSine(half / r);
   plan.entryAngle = -plan.exitAngle;
 }

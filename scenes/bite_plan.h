@@ -26,7 +26,8 @@ struct BitePlan {
 
 /// False when the wall has no such place or the needle is too small for the width.
 bool planPlaces(const Model&, const ExpertAction&, BitePlan&);
-void planCircle(const Model&, const State&, double width, BitePlan&);       // [m] looks at the tissue as it lies now
+/// Looks at the tissue as it lies now; `dip` sets the circle deeper than the places ask, for the wall dimples.  [m] [m]
+void planCircle(const Model&, const State&, double width, double dip, BitePlan&);
 
 /// Needle pose with its tip at an angle on the circle, the circle moved by `offset` [m].
 Pose needleOnCircle(const Model&, const BitePlan&, double tipAngle, const Vec3& offset);   // [rad]

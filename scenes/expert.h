@@ -20,7 +20,7 @@ struct ExpertAction {
   double width = 6e-3;                         // width_mm [m] entry to exit, clockwise along the rim
   double pull = 0.03;                          // pull_mm [m] of thread drawn through after the bite
   double tension = 1.0;                        // tension_n [N] at which tightening stops
-  double seconds = 30.0;                       // limit_s [s] of the action; of a hold, its length
+  double seconds = 60.0;                       // limit_s [s] of the action; of a hold, its length
   int line = 0;                                // in the file, for messages
 };
 

@@ -11,6 +11,8 @@ constexpr double kForcepsFromTip = 2.5e-3;     // [m] of arc behind the tip: whe
 constexpr double kLeadIn = 0.6, kLeadOut = 0.9, kLeadOutMost = 1.35;   // [rad] tip before the entry; past the exit
 constexpr double kClear = 0.02;                // [m] needle held off the wall
 constexpr double kSweepSpeed = 0.012;          // [m/s] along the arc
+constexpr double kDip = 1.2e-3, kDeeper = 1.0e-3;              // [m] below the places, and more for every new attempt
+constexpr int kAttempts = 4;
 constexpr double kPressAngle = 0.2;            // [rad] past the planned entry: still not through, the surgeon presses instead of turning
 constexpr double kPressSpeed = 0.012, kPressMost = 0.010;      // [m/s] [m] along the needle's point
 constexpr double kDrawSpeed = 0.02;            // [m/s] needle out along the arc
@@ -23,6 +25,7 @@ enum Phase {
   kShow, kTakeOver, kTakeOverDown, kTakeOverClose, kLeave,       // needle from forceps to driver
   kHold, kHoldDown, kHoldClose,                                  // forceps hold the rim
   kNear, kTouch, kDrive,                                         // driver brings the needle through
+  kBackOff,                                                      // a miss: needle away from the wall, then near again
   kLetRim, kTakeTip, kTakeTipDown, kTakeTipClose, kDriverLeaves, // forceps take the tip
   kDraw, kPull                                                   // needle out, thread after it
 };
@@ -70,7 +73,7 @@ const Hole* exitHole(const State& s, std::int32_t bite) {
 void exchange(const Scene& s) {
   ExpertState& e = s.memory;
   if (e.phase == kShow) {
-    planCircle(s.model, s.state, s.action.width, e.plan);
+    planCircle(s.model, s.state, s.action.width, kDip + e.attempt * kDeeper, e.plan);
     e.tipAngle = e.plan.entryAngle - kLeadIn;
     if (s.state.tools[kRight].holdsNeedle) return goTo(s, kHold);
     const Pose shown = toolFor(s, kLeft, onCircle(s, kClear * e.plan.out + 5e-3 * Vec3::UnitZ()));
@@ -103,13 +106,26 @@ void hold(const Scene& s) {
   if (pickUp(s, kLeft, counterGrip(s), kHold)) nextPhase(s);
 }
 
+/// The needle only slid along the wall: back off and come again, deeper.
+void missed(const Scene& s, std::string& failure) {
+  ExpertState& e = s.memory;
+  if (entered(s.state, e.bite) || ++e.attempt >= kAttempts) {
+    failure = "the needle did not come out of the wall";
+    return;
+  }
+  e.pressed = 0.0;
+  goTo(s, kBackOff);
+}
+
 /// To the wall, and round along the arc until the tip has come out far enough to be taken.
 void drive(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   if (e.phase == kNear) {
-    planCircle(s.model, s.state, s.action.width, e.plan);
+    planCircle(s.model, s.state, s.action.width, kDip + e.attempt * kDeeper, e.plan);
     e.tipAngle = e.plan.entryAngle - kLeadIn;
     if (moveHand(s, kRight, toolFor(s, kRight, onCircle(s, kClear * e.plan.out)), 0.10) && s.inPhase > 0.3) nextPhase(s);
+  } else if (e.phase == kBackOff) {
+    if (moveHand(s, kRight, toolFor(s, kRight, onCircle(s, kClear * e.plan.out)), 0.06)) goTo(s, kNear);
   } else if (e.phase == kTouch) {
     if (moveHand(s, kRight, toolFor(s, kRight, onCircle(s, Vec3::Zero())), 0.03) && s.inPhase > 0.5) nextPhase(s);
   } else {
@@ -117,8 +133,8 @@ void drive(const Scene& s, std::string& failure) {
     const double most = e.plan.exitAngle + (out ? kLeadOut : kLeadOutMost);
     turnOrPress(s, most);
     moveHand(s, kRight, toolFor(s, kRight, onPressedCircle(s)), 0.05);
-    if (out && e.tipAngle >= most) { e.goal[kLeft] = above(e.hand[kLeft].command, 0.02); nextPhase(s); }
-    else if (!out && e.tipAngle >= most && s.inPhase > 4.0) failure = "the needle did not come out of the wall";
+    if (out && e.tipAngle >= most) { e.goal[kLeft] = above(e.hand[kLeft].command, 0.02); goTo(s, kLetRim); }
+    else if (!out && e.tipAngle >= most && s.inPhase > 3.0) missed(s, failure);
   }
 }
 
@@ -180,12 +196,13 @@ bool runBite(const Scene& s, std::string& failure) {
     }
     e.bite = s.state.strand.bitesBegun;
     e.pressed = 0.0;
+    e.attempt = 0;
     e.planned = true;
   }
   const int phase = e.phase;
   if (phase <= kLeave) exchange(s);
   else if (phase <= kHoldClose) hold(s);
-  else if (phase <= kDrive) drive(s, failure);
+  else if (phase <= kBackOff) drive(s, failure);
   else if (phase <= kDriverLeaves) handOver(s);
   else return drawThrough(s);
   return false;

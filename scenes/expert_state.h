@@ -17,6 +17,7 @@ struct ExpertState {
   std::int32_t bite = 0;                       // number that the bite under way will have
   TissuePlace counter;                         // where the other hand holds the wall
   double tipAngle = 0.0;                       // [rad] commanded on the plan's circle
+  int attempt = 0;                             // at the bite under way
   double pressed = 0.0;                        // [m] how far the needle was pushed along its point to get in
   Vec3 pressAlong = Vec3::UnitX();             // [1]
   Vec3 pullFrom = Vec3::Zero(), pullAlong = Vec3::UnitZ();   // [m], [1]
