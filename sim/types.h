@@ -3,6 +3,7 @@
 /// x right, y up, z toward the surgeon; origin at the centre of the bowel opening.
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 
 namespace halsted {
@@ -10,6 +11,13 @@ namespace halsted {
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 using Quat = Eigen::Quaterniond;
+
+/// Eigen's default constructor leaves a vector as it finds it, also in `std::array<Vec3, N> a{}`: arrays in a state begin with this.
+template <std::size_t N> std::array<Vec3, N> zeroVectors() {
+  std::array<Vec3, N> vectors;
+  vectors.fill(Vec3::Zero());
+  return vectors;
+}
 
 /// A rigid pose: world = orientation * local + position.
 struct Pose {

@@ -27,14 +27,14 @@ struct ToolState {
   std::int32_t graspCount = 0;
   std::array<std::int32_t, kMaxGrasp> graspTriangle{};
   std::array<std::array<double, 3>, kMaxGrasp> graspWeight{};   // [1]
-  std::array<Vec3, kMaxGrasp> graspLocal{};    // [m] held point in the tool frame
-  std::array<Vec3, kMaxGrasp> graspForce{};    // [N] on the tissue
+  std::array<Vec3, kMaxGrasp> graspLocal = zeroVectors<kMaxGrasp>();    // [m] held point in the tool frame
+  std::array<Vec3, kMaxGrasp> graspForce = zeroVectors<kMaxGrasp>();    // [N] on the tissue
   // Tissue against the tool.
   std::int32_t contactCount = 0;
   std::array<std::int32_t, kMaxContacts> contactTriangle{};
   std::array<std::array<double, 3>, kMaxContacts> contactWeight{};   // [1]
-  std::array<Vec3, kMaxContacts> contactNormal{};                     // [1] from the tool into the tissue
-  std::array<Vec3, kMaxContacts> contactForce{};   // [N] on the tissue
+  std::array<Vec3, kMaxContacts> contactNormal = zeroVectors<kMaxContacts>();                     // [1] from the tool into the tissue
+  std::array<Vec3, kMaxContacts> contactForce = zeroVectors<kMaxContacts>();   // [N] on the tissue
   std::int32_t nearCount = 0;                  // surface triangles near the tool, refreshed every few steps
   std::array<std::int32_t, kMaxNear> nearTriangle{};
 };
