@@ -68,9 +68,11 @@ Gap gapOf(const Model& m, std::span<const Vec3> x, int vertex, int triangle) {
   return g;
 }
 
+/// Force of the last step if this pair was watched then. Pairs stand in the order of their vertices.
 double carried(const SelfWork& w, int count, int vertex, int triangle) {
-  for (int i = 0; i < count; ++i)
-    if (w.vertex[i] == vertex && w.triangle[i] == triangle) return w.force[i];
+  const auto first = w.vertex.begin();
+  for (auto at = std::lower_bound(first, first + count, vertex); at != first + count && *at == vertex; ++at)
+    if (w.triangle[at - first] == triangle) return w.force[at - first];
   return 0.0;
 }
 
