@@ -83,7 +83,10 @@ template <typename L> HALSTED_INLINE void turn(LaneRows<L>& q, const LaneMat<L>&
   L scale = selectAbove(det, 1e-6 * bound * bound * bound, 1.0 / selectAbove(det, zero, det, zero + 1.0), zero);
   scale = selectAbove(czz, zero, selectAbove(hxx, zero, scale, zero), zero);
   const L plain = 1.0 / bound;
-  const auto pick = [&](L newton, L simple) { return 0.5 * selectAbove(scale, zero, scale * newton, plain * simple); };
+  // Inlined by force: unoptimised, a call from the AVX2 path to a plain function would pass vectors in two different ways.
+  const auto pick = [&](L newton, L simple) __attribute__((always_inline)) {
+    return 0.5 * selectAbove(scale, zero, scale * newton, plain * simple);
+  };
   const LaneVec<L> w{pick(cxx * torque.x + cxy * torque.y + cxz * torque.z, torque.x),
                      pick(cxy * torque.x + cyy * torque.y + cyz * torque.z, torque.y),
                      pick(cxz * torque.x + cyz * torque.y + czz * torque.z, torque.z)};
