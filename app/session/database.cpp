@@ -5,6 +5,8 @@
 namespace halsted::app {
 namespace {
 
+constexpr int kBusyMilliseconds = 5000;        // [ms]
+
 void check(sqlite3* handle, int code) {
   if (code != SQLITE_OK && code != SQLITE_ROW && code != SQLITE_DONE)
     throw DatabaseError{code, handle ? sqlite3_errmsg(handle) : sqlite3_errstr(code)};
@@ -22,6 +24,7 @@ Database::Database(const std::string& path, Mode mode) {
   const int code = sqlite3_open_v2(path.c_str(), &raw, flags | SQLITE_OPEN_NOMUTEX, nullptr);
   handle_.reset(raw);
   check(raw, code);
+  sqlite3_busy_timeout(raw, kBusyMilliseconds);                    // somebody may look at a session while it is recorded
   sqlite3_limit(raw, SQLITE_LIMIT_LENGTH, 256 << 20);              // a hostile file cannot ask for more than this
   sqlite3_db_config(raw, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(raw, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
