@@ -28,6 +28,7 @@ void begin(const State& state, ExpertState& e) {
 void nextAction(const State& state, ExpertState& e) {
   ++e.action;
   e.planned = false;
+  e.attempt = 0;
   e.phase = 0;
   e.actionStart = e.phaseStart = state.step;
 }

@@ -7,6 +7,7 @@ namespace halsted::scenes {
 namespace {
 
 constexpr double kTailReach = 0.02;            // [m] of thread between the wall and the jaws
+constexpr double kTailStep = 0.012;             // [m] farther out when it was missed
 constexpr double kTightenSpeed = 0.015;        // [m/s]
 constexpr double kTightenReach = 0.09;         // [m] as far as the arms go apart
 
@@ -21,7 +22,10 @@ Pose threadGrip(const Scene& s, double coordinate) {
   return {p, Quat(axes).normalized()};
 }
 
-double tailCoordinate(const State& s) { return std::fmax(0.0, s.strand.holes[0].coordinate - kTailReach); }
+/// Where to take the tail: farther out at every new attempt, for it may lie where the jaws cannot go.
+double tailCoordinate(const State& s, int attempt) {
+  return std::fmax(0.0, s.strand.holes[0].coordinate - kTailReach - kTailStep * (attempt % 5));
+}
 double needleCoordinate(const Model& m, const State& s) {
   return std::fmin(m.strand.length - 2e-3, s.strand.holes[s.strand.holeCount - 1].coordinate + kTailReach);
 }
@@ -40,9 +44,10 @@ bool runTakeTails(const Scene& s, std::string& failure) {
     e.hand[kLeft].jaw = 1.0;
     if (s.inPhase > 0.3 && moveHand(s, kLeft, e.goal[kLeft], 0.08)) nextPhase(s);
   } else {
-    if (!pickUp(s, kLeft, threadGrip(s, tailCoordinate(s.state)), 4)) return false;
+    if (!pickUp(s, kLeft, threadGrip(s, tailCoordinate(s.state, e.attempt)), 4)) return false;
     if (s.state.tools[kLeft].threadCoordinate >= 0.0) return true;
     e.hand[kLeft].jaw = 1.0;
+    ++e.attempt;
     e.phase = 4;
     e.phaseStart = s.state.step;
   }

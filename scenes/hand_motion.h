@@ -15,6 +15,6 @@ struct HandMotion {
 bool travel(HandMotion&, const Pose& goal, double speed, double turn, double dt);
 
 /// Integrates the difference between command and the tool seen; returns the target for the hand.
-HandTarget look(HandMotion&, const Pose& seen, double dt);
+HandTarget look(HandMotion&, const Pose& seen, double dt);   // dt [s]
 
 }  // namespace halsted::scenes

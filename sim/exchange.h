@@ -129,13 +129,13 @@ struct HapticStatus {
 };
 struct PhysicsStatus {
   std::uint64_t step = 0, lateSteps = 0;
-  double stepMilliseconds = 0.0;             // cost of the last step
+  double stepMilliseconds = 0.0;             // [ms] cost of the last step
 };
 
 /// A parameter changed while running; main thread -> physics thread, between two steps, recorded.
 struct Command {
   enum class Kind : std::uint8_t { kNone, kSetGravity, kReset } kind = Kind::kNone;
-  double value = 0.0;                        // by kind
+  double value = 0.0;                        // [1] or the unit of the kind
 };
 
 }  // namespace halsted

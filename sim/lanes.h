@@ -9,11 +9,11 @@ using Lanes4 = double __attribute__((vector_size(32)));
 
 #define HALSTED_INLINE inline __attribute__((always_inline))
 
-HALSTED_INLINE double squareRoot(double x) { return std::sqrt(x); }
+HALSTED_INLINE double squareRoot(double x) { return std::sqrt(x); }   // [1]
 HALSTED_INLINE Lanes4 squareRoot(Lanes4 x) {
   return Lanes4{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
 }
-HALSTED_INLINE double magnitude(double x) { return std::fabs(x); }
+HALSTED_INLINE double magnitude(double x) { return std::fabs(x); }   // [1]
 HALSTED_INLINE Lanes4 magnitude(Lanes4 x) { return x < 0.0 ? -x : x; }
 
 template <typename L> struct LaneCount;
@@ -23,7 +23,7 @@ template <> struct LaneCount<Lanes4> { static constexpr int value = 4; };
 template <typename L> HALSTED_INLINE L loadLanes(const double* p);
 template <> HALSTED_INLINE double loadLanes<double>(const double* p) { return *p; }
 template <> HALSTED_INLINE Lanes4 loadLanes<Lanes4>(const double* p) { return Lanes4{p[0], p[1], p[2], p[3]}; }
-HALSTED_INLINE void storeLanes(double* p, double x) { *p = x; }
+HALSTED_INLINE void storeLanes(double* p, double x) { *p = x; }   // [1]
 HALSTED_INLINE void storeLanes(double* p, Lanes4 x) { p[0] = x[0]; p[1] = x[1]; p[2] = x[2]; p[3] = x[3]; }
 
 }  // namespace halsted

@@ -14,8 +14,8 @@ namespace halsted {
 struct TissueWork {
   std::vector<Vec3> previous;                  // [m] positions at the start of the step
   std::vector<Vec3> target;                    // per particle; by solver
-  std::vector<double> rows;                    // per particle: four doubles for the factored solve
-  std::vector<double> scratch;                 // by solver
+  std::vector<double> rows;                    // [m] or [N] per particle: four doubles for the factored solve
+  std::vector<double> scratch;                 // [1] by solver
 };
 
 /// Used by sim/suture: per hole, the tissue's own compliance there, and a bound that includes the pull of the other holes.

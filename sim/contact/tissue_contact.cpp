@@ -13,6 +13,7 @@ constexpr double kCell = 4e-3;                 // [m] about one edge of the mesh
 constexpr double kPairReach = 1.2e-3;          // [m] pairs closer than this are watched until the next search
 constexpr double kThickness = 0.1e-3;          // [m] gap kept between two surfaces
 constexpr double kBehind = 1.0e-3;             // [m] half a wall: deeper, the vertex belongs to the other side
+constexpr double kMostForce = 10.0;            // [N] of one pair: next to held particles the compliance says too little
 constexpr double kShare = 8.0;                 // [1] neighbours pushed at the same time; over-estimates the compliance
 
 int cellHash(const Vec3& p) {
@@ -68,6 +69,14 @@ Gap gapOf(const Model& m, std::span<const Vec3> x, int vertex, int triangle) {
   return g;
 }
 
+/// Cheap rejection before the closest point: the vertex is farther from the triangle's plane than any pair.
+bool farFromPlane(const Model& m, std::span<const Vec3> x, int vertex, int triangle) {
+  const auto& v = m.surface.triangles[triangle];
+  const Vec3 normal = (x[v[1]] - x[v[0]]).cross(x[v[2]] - x[v[0]]);
+  const double height = normal.dot(x[vertex] - x[v[0]]);              // [m^3] times the normal's length
+  return height * height > kPairReach * kPairReach * normal.squaredNorm() * 1.0001;
+}
+
 /// Force of the last step if this pair was watched then. Pairs stand in the order of their vertices.
 double carried(const SelfWork& w, int count, int vertex, int triangle) {
   const auto first = w.vertex.begin();
@@ -89,8 +98,8 @@ void addPairsOfCell(const Model& m, State& s, int old, int vertex, int cell) {
   for (int e = w.start[cell]; e < w.start[cell + 1]; ++e) {
     const int f = w.item[e];
     const Vec3& corner = s.tissue.position[m.surface.triangles[f][0]];
-    if ((corner - s.tissue.position[vertex]).squaredNorm() > 49e-6 || related(m, vertex, f)) continue;
-    if (gapOf(m, s.tissue.position, vertex, f).near) addPair(s, old, vertex, f);
+    if ((corner - s.tissue.position[vertex]).squaredNorm() > 49e-6 || farFromPlane(m, s.tissue.position, vertex, f)) continue;
+    if (gapOf(m, s.tissue.position, vertex, f).near && !related(m, vertex, f)) addPair(s, old, vertex, f);
   }
 }
 
@@ -128,7 +137,7 @@ void solvePairs(const Model& m, State& s) {
     const int corner = m.surface.triangles[t.pairTriangle[i]][0];
     const double give = kShare * (compliance(p, t.pairVertex[i], t.pairVertex[i]) + compliance(p, corner, corner)) + 1e-6;   // [m/N]
     const double before = t.pairForce[i];
-    t.pairForce[i] = g.near ? std::fmax(0.0, before + (kThickness - g.height) / give) : 0.0;
+    t.pairForce[i] = g.near ? std::fmin(kMostForce, std::fmax(0.0, before + (kThickness - g.height) / give)) : 0.0;
     applyPair(m, g, t.pairVertex[i], t.pairTriangle[i], t.pairForce[i] - before, s.work.change);
   }
 }

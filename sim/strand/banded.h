@@ -18,7 +18,7 @@ class BandedMatrix {
   void setZero() { entries_.assign(entries_.size(), 0.0); }
 
   /// Adds to entry (i, j); |i - j| <= kHalf. Only the upper part is stored.
-  void add(int i, int j, double value) {
+  void add(int i, int j, double value) {   // [1]
     if (i <= j) entries_[static_cast<std::size_t>(i) * kStride + (j - i)] += value;
   }
   double at(int i, int j) const {
@@ -31,7 +31,7 @@ class BandedMatrix {
 
  private:
   int size_ = 0;
-  std::vector<double> entries_;                // row i: A(i, i) .. A(i, i + kHalf)
+  std::vector<double> entries_;                // [1] row i: A(i, i) .. A(i, i + kHalf)
 };
 
 }  // namespace halsted

@@ -47,11 +47,11 @@ StrandState restState(const StrandModel&, const Pose& needle);
 bool addLink(StrandWork&, const StrandLink&);
 
 /// Advances by dt under gravity and the links in `work`. False if the system could not be solved (nothing is changed then).
-bool solveStrand(const StrandModel&, double dt, const Vec3& gravity, StrandState&, StrandWork&);
+bool solveStrand(const StrandModel&, double dt, const Vec3& gravity, StrandState&, StrandWork&);   // [s]
 
 /// World position and unit tangent (toward the tip) of a material point; coordinates are clamped to the strand.
-Vec3 strandPoint(const StrandModel&, const StrandState&, double coordinate);
-Vec3 strandTangent(const StrandModel&, const StrandState&, double coordinate);
+Vec3 strandPoint(const StrandModel&, const StrandState&, double coordinate);   // [m]
+Vec3 strandTangent(const StrandModel&, const StrandState&, double coordinate);   // [m]
 /// Velocity of a material point [m/s].
 Vec3 strandVelocity(const StrandModel&, const StrandState&, double coordinate);
 /// Tension just on the tail side (`side` < 0) or tip side of a coordinate [N]; zero or more; 0 on the needle.

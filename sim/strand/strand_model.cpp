@@ -58,8 +58,8 @@ StrandModel buildStrand(const SimParams& p) {
   m.needle = {p.needle.arcLength / p.needle.arcAngle, p.needle.arcAngle, p.needle.wireRadius};
   for (int i = 0; i <= StrandModel::kArcTable; ++i) {
     const double angle = p.needle.arcAngle * i / StrandModel::kArcTable;                 // [rad]
-    m.arcPoint.push_back(m.needle.radius * Vec3(std::cos(angle), std::sin(angle), 0.0));
-    m.arcTangent.push_back(Vec3(-std::sin(angle), std::cos(angle), 0.0));
+    m.arcPoint.push_back(m.needle.radius * Vec3(std::cos(angle), std::sin(angle), 0.0));   // load time
+    m.arcTangent.push_back(Vec3(-std::sin(angle), std::cos(angle), 0.0));   // load time
   }
   buildNeedleBody(p, m);
   for (int i = 0; i < kNeedleSamples; ++i) m.sampleCoordinate.push_back(m.length + p.needle.arcLength * i / (kNeedleSamples - 1));

@@ -19,7 +19,7 @@ void settleHoles(const Model&, State&, StepOutput&);
 bool openEntry(const Model&, int triangle, const std::array<double, 3>& weight, const Vec3& normal, State&, StepOutput&);
 
 /// True when a coordinate lies inside the wall: between the holes of one bite, or behind a tip that is still inside.
-bool insideWall(const StrandState&, double coordinate, double margin);
+bool insideWall(const StrandState&, double coordinate, double margin);   // [m]
 
 /// Adds force (on the strand: negated) of every hole to the tissue's nodal forces.
 void gatherHoleForces(const Model&, const StrandState&, std::vector<Vec3>& nodal);

@@ -30,7 +30,7 @@ TEST(PurseStringScene, IsReadAndBuilt) {
   EXPECT_EQ(scene.params.tools[kRight].kind, ToolKind::kNeedleDriver);
   EXPECT_EQ(scene.params.thread.nodes, 175);
   EXPECT_DOUBLE_EQ(scene.params.tissue.youngsModulus, 120e3);
-  EXPECT_DOUBLE_EQ(scene.camera.fovDegrees, 32.0);
+  EXPECT_DOUBLE_EQ(scene.camera.fovDegrees, 27.0);
   testing::expectWholeWall(scenes::buildAnatomy(scene));
 }
 

@@ -41,9 +41,6 @@ TEST(Train, HeadlessRunsReportsAndReplays) {
   for (const char* key : {"rate_hz", "late_steps"}) EXPECT_TRUE(json["physics"].contains(key)) << key;
   for (const char* key : {"fps", "frame_ms"}) EXPECT_TRUE(json["render"].contains(key)) << key;
   EXPECT_GT(json["steps"].get<int>(), 0);
-#ifndef HALSTED_SANITIZED
-  EXPECT_GT(json["render"]["fps"].get<double>(), 0.0);   // under a sanitizer the shaders alone take longer than this session
-#endif
   EXPECT_GT(json["haptic"]["rate_hz"].get<double>(), 0.0);
   EXPECT_LE(json["haptic"]["max_force_n"].get<double>(), 3.3);
   EXPECT_EQ(json["recorder"]["steps"], json["steps"]);
