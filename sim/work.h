@@ -24,12 +24,16 @@ struct HoleWork {
   std::array<Vec3, StrandState::kMaxHoles> point{};             // [m] the hole in the predicted tissue
 };
 
-/// Used by sim/contact: uniform grid of surface triangles by centroid, and the pairs of the last refresh.
+/// Used by sim/contact: surface vertices in hashed cells, and the pairs of the triangles whose turn it is as the last round left them.
 struct SelfWork {
-  static constexpr int kCells = 4096;          // hashed; power of two
-  std::vector<int> cellOf, start, item;
+  static constexpr int kBuckets = 2048;        // power of two
+  std::array<std::int32_t, kBuckets + 1> start{};
+  std::vector<std::int32_t> bucket, item;      // per surface vertex: its bucket; vertices sorted by bucket
+  std::vector<std::int64_t> key, itemKey;      // the cell itself: several may share a bucket
+  int count = 0;
   std::array<std::int32_t, TissueState::kMaxPairs> vertex{}, triangle{};
   std::array<double, TissueState::kMaxPairs> force{};   // [N]
+  std::vector<double> give;                    // [1] contacts that push each particle, then [m/N] how far it goes when all do
 };
 
 /// Used by sim/tools: the contacts and grasps of both tools as one small problem on the tissue's compliance.

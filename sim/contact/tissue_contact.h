@@ -1,6 +1,7 @@
 #pragma once
 /// Tissue against itself and against the fixed rod: many slow contacts, each with a force kept from step to step that grows while the
-/// gap is negative (an incremental Jacobi sweep on an over-estimated compliance, so it can only undershoot). Physics thread; no heap.
+/// gap is negative. One Jacobi sweep a step on a bound of the compliance that counts every contact pushing at once, so it can only
+/// undershoot, however many there are. Physics thread; no heap.
 #include "sim/model.h"
 #include "sim/state.h"
 

@@ -14,7 +14,7 @@ struct TissueState {
   std::vector<double> pressure;                // [Pa] per tet: volumetric part of the stress (projective)
   std::vector<Vec3> rodForce;                  // [N] per particle: on the tissue from the fixed rod
   static constexpr int kMaxPairs = 2048;
-  std::int32_t pairCount = 0;                  // tissue against itself: a vertex near a triangle, refreshed every few steps
+  std::int32_t pairCount = 0;                  // tissue against itself: a vertex near a triangle (sim/contact/pair_search.h)
   std::int32_t droppedPairs = 0;               // pairs that did not fit
   std::array<std::int32_t, kMaxPairs> pairVertex{}, pairTriangle{};
   std::array<double, kMaxPairs> pairForce{};   // [N] along the triangle's normal, on the vertex

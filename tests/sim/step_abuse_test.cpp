@@ -77,6 +77,23 @@ TEST_P(RandomHands, StayFiniteWithBoundedForces) {
   EXPECT_LT(most, 60.0);                         // 1000 N/m over the 60 mm that the two hands' box spans
 }
 
+/// No contact of the tissue with itself is stronger than the hands that press it, and no part leaves their reach.
+TEST_P(RandomHands, TissueIsNeverFlung) {
+  StepRig rig(weighted(), kNeedleBeside);
+  HandNoise noise(GetParam());
+  double most = 0.0, farthest = 0.0;             // [N], [m]
+  for (int k = 0; k < 8000; ++k) {
+    noise.move(rig.input);
+    rig.step();
+    for (int i = 0; i < rig.state.tissue.pairCount; ++i) most = std::max(most, rig.state.tissue.pairForce[i]);
+    farthest = std::max(farthest, rig.displacement());
+  }
+  RecordProperty("pair_force_n", std::to_string(most));
+  RecordProperty("displacement_mm", std::to_string(1e3 * farthest));
+  EXPECT_LT(most, 20.0);
+  EXPECT_LT(farthest, 0.06);
+}
+
 TEST(StepRealtime, CallsNoHeapLockOrFile) {
   if (!test::RealtimeGuard::available()) GTEST_SKIP() << "the sanitizer owns malloc";
   for (TissueSolver solver : {TissueSolver::kProjective, TissueSolver::kXpbd, TissueSolver::kShapeMatching}) {

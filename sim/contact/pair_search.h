@@ -1,0 +1,37 @@
+#pragma once
+/// Tissue against itself: which surface vertices are so near to which triangles that a contact may follow. The search is spread over
+/// `kRound` steps, every kRound-th triangle in each, so that no step pays for all of it. Nothing else is carried from step to step: a
+/// turn looks at the vertices where they are now. Physics thread; no heap.
+///
+/// A vertex that comes nearer than kPairReach between two looks is found while it is no deeper than kBehind, whatever closes slower
+/// than (kPairReach + kBehind) / round: 0.27 m/s at a step of 1 ms.
+#include <array>
+#include <span>
+
+#include "sim/model.h"
+#include "sim/state.h"
+
+namespace halsted {
+
+inline constexpr int kPairRound = 8;             // [1] steps after which every triangle has been looked at
+inline constexpr double kPairReach = 1.2e-3;     // [m] a vertex this near to a triangle is watched
+inline constexpr double kPairBehind = 1.0e-3;    // [m] half a wall: deeper, the vertex belongs to the other side
+inline constexpr double kPairAside = 0.5e-3;     // [m] and no farther than this from the triangle within its plane
+
+struct PairGap {
+  bool near = false;                             // to be watched
+  double height = 0.0;                           // [m] of the vertex over the triangle's plane
+  std::array<double, 3> weight{};                // [1] the triangle's point nearest to the vertex
+  Vec3 normal = Vec3::UnitZ();                   // [1] outward
+};
+
+PairGap pairGap(const Model&, std::span<const Vec3> position, int vertex, int triangle);   // [m]
+
+/// False where contact has nothing to do: neighbours on the surface, which elasticity keeps apart, and what is held in place altogether.
+bool mayTouch(const Model&, int vertex, int triangle);
+
+/// Looks anew at the triangles whose turn it is at `state.step`. Their pairs found again keep their force; those not found again are
+/// left in work.self with the force that they carried.
+void searchPairs(const Model&, State&);
+
+}  // namespace halsted
