@@ -40,8 +40,9 @@ State initialState(const Model& m, const std::array<Pose, kHands>& start) {
   s.work.strand = prepareWork(m.strand);
   s.work.force.assign(m.mesh.vertices.size(), Vec3::Zero());
   s.work.change.assign(m.mesh.vertices.size(), Vec3::Zero());
-  for (auto* list : {&s.work.self.bucket, &s.work.self.item}) list->resize(m.surface.vertices.size());
-  for (auto* list : {&s.work.self.key, &s.work.self.itemKey}) list->resize(m.surface.vertices.size());
+  for (auto* list : {&s.work.self.cell, &s.work.self.item}) list->resize(m.surface.vertices.size());
+  s.work.self.place.resize(m.surface.vertices.size());
+  s.work.self.ring.resize(m.mesh.vertices.size());
   s.work.self.give.resize(m.mesh.vertices.size());
   return s;
 }

@@ -24,12 +24,14 @@ struct HoleWork {
   std::array<Vec3, StrandState::kMaxHoles> point{};             // [m] the hole in the predicted tissue
 };
 
-/// Used by sim/contact: surface vertices in hashed cells, and the pairs of the triangles whose turn it is as the last round left them.
+/// Used by sim/contact: the surface's vertices in a grid of cells, and the pairs of the triangles whose turn it is as the last round
+/// left them.
 struct SelfWork {
-  static constexpr int kBuckets = 2048;        // power of two
-  std::array<std::int32_t, kBuckets + 1> start{};
-  std::vector<std::int32_t> bucket, item;      // per surface vertex: its bucket; vertices sorted by bucket
-  std::vector<std::int64_t> key, itemKey;      // the cell itself: several may share a bucket
+  static constexpr int kAxis = 16, kCells = kAxis * kAxis * kAxis;
+  std::array<std::int32_t, kCells + 1> start{};
+  std::vector<std::int32_t> cell, item;        // per surface vertex: its cell; vertices sorted by cell
+  std::vector<Vec3> place;                     // [m] positions of `item`
+  std::vector<std::int32_t> ring;              // per vertex: the last triangle looked at of which it is a neighbour
   int count = 0;
   std::array<std::int32_t, TissueState::kMaxPairs> vertex{}, triangle{};
   std::array<double, TissueState::kMaxPairs> force{};   // [N]

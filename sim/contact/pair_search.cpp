@@ -9,56 +9,66 @@
 namespace halsted {
 namespace {
 
-constexpr double kCell = 4e-3;                   // [m] about one edge of the mesh
+constexpr double kLeastCell = 3e-3;              // [m] about one edge of the mesh
 constexpr double kLevel = 1e-7;                  // [m] nearer to the triangle's own column is over the triangle
-constexpr int kCellsPerAxis = 4096;              // 16 m about the origin: beyond, the outermost cell
 
 using Cell = std::array<int, 3>;
 
-int cellAlong(double v) {                        // [m]
-  const double cells = v * (1.0 / kCell) + kCellsPerAxis / 2;   // [1]
-  return cells > 0.0 ? static_cast<int>(std::min(cells, kCellsPerAxis - 1.0)) : 0;
-}
-Cell cellAt(const Vec3& p) { return {cellAlong(p.x()), cellAlong(p.y()), cellAlong(p.z())}; }
+/// Cells of a box about all vertices, each axis divided alike: however far the tissue is stretched there are no more of them.
+class Grid {
+ public:
+  Grid(const Model& m, std::span<const Vec3> x) : low_(x[m.surface.vertices.front()]) {   // x [m]
+    Vec3 high = low_;                            // [m]
+    for (int v : m.surface.vertices) {
+      low_ = low_.cwiseMin(x[v]);
+      high = high.cwiseMax(x[v]);
+    }
+    for (int axis = 0; axis < 3; ++axis) perMetre_[axis] = 1.0 / std::max(kLeastCell, (high[axis] - low_[axis]) / SelfWork::kAxis);
+  }
+  Cell at(const Vec3& p) const {                 // [m]
+    Cell c;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double cells = (p[axis] - low_[axis]) * perMetre_[axis];   // [1]
+      c[axis] = cells > 0.0 ? static_cast<int>(std::min(cells, SelfWork::kAxis - 1.0)) : 0;
+    }
+    return c;
+  }
+  static int index(int x, int y, int z) { return (x * SelfWork::kAxis + y) * SelfWork::kAxis + z; }
 
-std::int64_t keyOf(const Cell& c) { return (static_cast<std::int64_t>(c[0]) * kCellsPerAxis + c[1]) * kCellsPerAxis + c[2]; }
+ private:
+  Vec3 low_;                                     // [m]
+  Vec3 perMetre_ = Vec3::Zero();                 // [1/m]
+};
 
-int bucketOf(const Cell& c) {
-  const std::uint32_t h = static_cast<std::uint32_t>(c[0]) * 73856093u ^ static_cast<std::uint32_t>(c[1]) * 19349663u ^
-                          static_cast<std::uint32_t>(c[2]) * 83492791u;
-  return static_cast<int>(h % SelfWork::kBuckets);
-}
-
-/// Counting sort of the surface's vertices into hashed cells: index order within a bucket.
-void fillGrid(const Model& m, const TissueState& t, SelfWork& w) {
+/// Counting sort of the surface's vertices into cells: index order within a cell.
+void fillGrid(const Model& m, const TissueState& t, const Grid& grid, SelfWork& w) {
   w.start.fill(0);
   const int n = static_cast<int>(m.surface.vertices.size());
   for (int i = 0; i < n; ++i) {
-    const Cell c = cellAt(t.position[m.surface.vertices[i]]);
-    w.key[i] = keyOf(c);
-    w.bucket[i] = bucketOf(c);
-    ++w.start[w.bucket[i] + 1];
+    const Cell c = grid.at(t.position[m.surface.vertices[i]]);
+    w.cell[i] = Grid::index(c[0], c[1], c[2]);
+    ++w.start[w.cell[i] + 1];
   }
-  for (int b = 0; b < SelfWork::kBuckets; ++b) w.start[b + 1] += w.start[b];
-  for (int i = n - 1; i >= 0; --i) {             // from the last: afterwards start[b + 1] is where bucket b begins
-    const int at = --w.start[w.bucket[i] + 1];
+  for (int c = 0; c < SelfWork::kCells; ++c) w.start[c + 1] += w.start[c];
+  for (int i = n - 1; i >= 0; --i) {             // from the last: afterwards start[c + 1] is where cell c begins
+    const int at = --w.start[w.cell[i] + 1];
     w.item[at] = m.surface.vertices[i];
-    w.itemKey[at] = w.key[i];
+    w.place[at] = t.position[m.surface.vertices[i]];
   }
-  for (int b = 0; b < SelfWork::kBuckets; ++b) w.start[b] = w.start[b + 1];
-  w.start[SelfWork::kBuckets] = n;
+  std::copy(w.start.begin() + 1, w.start.end(), w.start.begin());
+  w.start[SelfWork::kCells] = n;
 }
 
 /// A triangle made ready to reject most vertices by its plane and its ball.
 struct Face {
-  int index = 0;
+  int index = 0, first = 0;                      // triangle; its first pair among those of the last round
   Vec3 normal = Vec3::UnitZ();                   // [1]
   Vec3 centre = Vec3::Zero();                    // [m]
   double squaredReach = 0.0;                     // [m^2] about the centre
   Cell low{}, high{};
 };
 
-Face faceOf(const Model& m, std::span<const Vec3> x, int triangle) {
+Face faceOf(const Model& m, std::span<const Vec3> x, const Grid& grid, int triangle) {
   constexpr double kMargin = kPairReach + kPairAside;   // [m] more than any watched vertex is away
   const auto& v = m.surface.triangles[triangle];
   const Vec3 &a = x[v[0]], &b = x[v[1]], &c = x[v[2]];
@@ -70,8 +80,8 @@ Face faceOf(const Model& m, std::span<const Vec3> x, int triangle) {
   const double reach = std::sqrt(most) + kMargin;       // [m]
   f.squaredReach = reach * reach;
   const Vec3 margin = Vec3::Constant(kMargin);
-  f.low = cellAt(a.cwiseMin(b).cwiseMin(c) - margin);
-  f.high = cellAt(a.cwiseMax(b).cwiseMax(c) + margin);
+  f.low = grid.at(a.cwiseMin(b).cwiseMin(c) - margin);
+  f.high = grid.at(a.cwiseMax(b).cwiseMax(c) + margin);
   return f;
 }
 
@@ -114,31 +124,29 @@ void addPair(State& s, int first, int vertex, int triangle) {
   t.pairForce[t.pairCount++] = takeForce(s.work.self, first, vertex, triangle);
 }
 
-void searchVertex(const Model& m, const Face& face, int vertex, int first, State& s) {
-  if (!insideBall(face, s.tissue.position[vertex]) || !mayTouch(m, vertex, face.index)) return;
-  if (pairGap(m, s.tissue.position, vertex, face.index).near) addPair(s, first, vertex, face.index);
-}
-
-void searchCell(const Model& m, const Face& face, const Cell& cell, int first, State& s) {
-  const SelfWork& w = s.work.self;
-  const std::int64_t key = keyOf(cell);
-  const int bucket = bucketOf(cell);
-  for (int e = w.start[bucket]; e < w.start[bucket + 1]; ++e)
-    if (w.itemKey[e] == key) searchVertex(m, face, w.item[e], first, s);
-}
-
-void searchFace(const Model& m, const Face& face, int first, State& s) {
-  constexpr double kManyCells = 500.0;           // [1] a triangle stretched over more: every vertex is looked at instead
-  double cells = 1.0;                            // [1]
-  for (int axis = 0; axis < 3; ++axis) cells *= face.high[axis] - face.low[axis] + 1;
-  if (cells > kManyCells) {
-    for (int vertex : m.surface.vertices) searchVertex(m, face, vertex, first, s);
-    return;
+/// Marks the corners of a triangle and all that they are joined to: most vertices near a triangle are its neighbours.
+void markRing(const Model& m, int triangle, SelfWork& w) {
+  for (int v : m.surface.triangles[triangle]) {
+    w.ring[v] = triangle;
+    for (int e = m.surface.neighbourStart[v]; e < m.surface.neighbourStart[v + 1]; ++e) w.ring[m.surface.neighbour[e]] = triangle;
   }
-  Cell c;
-  for (c[0] = face.low[0]; c[0] <= face.high[0]; ++c[0])
-    for (c[1] = face.low[1]; c[1] <= face.high[1]; ++c[1])
-      for (c[2] = face.low[2]; c[2] <= face.high[2]; ++c[2]) searchCell(m, face, c, first, s);
+}
+
+void searchRun(const Model& m, const Face& face, int from, int to, State& s) {
+  const SelfWork& w = s.work.self;
+  for (int e = from; e < to; ++e) {
+    if (!insideBall(face, w.place[e]) || w.ring[w.item[e]] == face.index) continue;
+    const int vertex = w.item[e];
+    if (mayTouch(m, vertex, face.index) && pairGap(m, s.tissue.position, vertex, face.index).near) addPair(s, face.first, vertex, face.index);
+  }
+}
+
+void searchFace(const Model& m, const Face& face, State& s) {
+  SelfWork& w = s.work.self;
+  markRing(m, face.index, w);
+  for (int x = face.low[0]; x <= face.high[0]; ++x)
+    for (int y = face.low[1]; y <= face.high[1]; ++y)
+      searchRun(m, face, w.start[Grid::index(x, y, face.low[2])], w.start[Grid::index(x, y, face.high[2]) + 1], s);
 }
 
 /// Triangle holds every corner of `triangle` that has weight: it meets it in the edge or corner where the weights are.
@@ -194,12 +202,16 @@ void searchPairs(const Model& m, State& s) {
   TissueState& t = s.tissue;
   SelfWork& w = s.work.self;
   const int turn = static_cast<int>(s.step % kPairRound), before = t.pairCount;
+  const Grid grid(m, t.position);
   takeOut(turn, t, w);
-  fillGrid(m, t, w);
+  fillGrid(m, t, grid, w);
+  std::fill(w.ring.begin(), w.ring.end(), -1);   // no mark of an earlier step counts
   int first = 0;
   for (int f = turn; f < static_cast<int>(m.surface.triangles.size()); f += kPairRound) {
     while (first < w.count && w.triangle[first] < f) ++first;
-    searchFace(m, faceOf(m, t.position, f), first, s);
+    Face face = faceOf(m, t.position, grid, f);
+    face.first = first;
+    searchFace(m, face, s);
   }
   for (int i = t.pairCount; i < before; ++i) { t.pairVertex[i] = t.pairTriangle[i] = -1; t.pairForce[i] = 0.0; }
 }
