@@ -11,7 +11,8 @@ namespace halsted::haptics {
 namespace {
 
 constexpr double kRounding = 1e-9;  // [N] what a projection may leave of a pull
-constexpr int kPlaneSweeps = 6;     // two square planes settle in one sweep, corners in a few
+constexpr int kPlaneSweeps = 64;    // two square planes settle in one sweep, corners in a few; planes 25 degrees apart need some 50
+constexpr double kSettled = 1e-7;   // [1] of the force: what a sweep changes less than this has settled
 
 /// A force as pushes along the planes' normals and a rest that none of them can explain (friction, or a pull).
 struct PlaneLoad {
@@ -24,18 +25,23 @@ struct PlaneLoad {
 PlaneLoad explain(const LocalContact& contact, const Vec3& force) noexcept {
   PlaneLoad load;
   load.rest = force;
-  for (int sweep = 0; sweep < kPlaneSweeps; ++sweep) {
+  const double settled = kSettled * (std::abs(force.x()) + std::abs(force.y()) + std::abs(force.z()));  // [N]
+  double largest = settled + 1.0;  // [N]
+  for (int sweep = 0; sweep < kPlaneSweeps && largest > settled; ++sweep) {
+    largest = 0.0;
     for (int i = 0; i < contact.planeCount; ++i) {
       const Vec3& normal = contact.planes[i].normal;
       const double change = std::max(-load.push[i], load.rest.dot(normal));  // [N]
       load.push[i] += change;
       load.rest -= change * normal;
+      largest = std::max(largest, std::abs(change));
     }
   }
   return load;
 }
 
-/// Takes the pull of the planes that pushed when the model was made out of what no plane explains.
+/// Takes the pull of the planes that pushed when the model was made out of what no plane explains. What is left is never longer than
+/// the force was: planes that are nearly parallel would else turn friction into push, and the blend would keep it and feed it back.
 Vec3 withoutPull(const LocalContact& contact, const PlaneLoad& made, const Vec3& force) noexcept {
   if (contact.planeCount == 0) return force;
   const Vec3 unexplained = explain(contact, force).rest;
@@ -46,7 +52,7 @@ Vec3 withoutPull(const LocalContact& contact, const PlaneLoad& made, const Vec3&
       if (made.push[i] > 0.0 && along < 0.0) rest -= contact.planes[i].normal * along;
     }
   }
-  return force + (rest - unexplained);
+  return clampLength(force + (rest - unexplained), std::sqrt(force.dot(force)));
 }
 
 /// What `gain` must be scaled with so that its largest row sum of absolute values, and with it every eigenvalue, is within `cap`.
