@@ -84,7 +84,10 @@ void step(const Model& m, const StepInput& input, State& s, StepOutput& out) {
   moveTools(m, input, s, out);
   solveTouch(m, before, s);
   answerChange(m, s);                          // the strand meets the tissue where the tools have put it
-  for (int hand = 0; hand < kHands; ++hand) updateProxy(m, hand, s);
+  for (int hand = 0; hand < kHands; ++hand) {
+    updateProxy(m, hand, s);
+    slipGrasp(m, hand, s, out);
+  }
   stepStrand(m, solidsBefore, s, out);
   solveTissueContact(m, s);
   answerChange(m, s);
@@ -92,7 +95,7 @@ void step(const Model& m, const StepInput& input, State& s, StepOutput& out) {
   ++s.step;
   measure(m, s, out);
   stepProcedure(m, s, out);
-  for (int hand = 0; hand < kHands; ++hand) writeLocalContact(m, s, hand, input.tools[hand].tick, out.contact[hand]);
+  for (int hand = 0; hand < kHands; ++hand) writeLocalContact(m, s, hand, input.tools[hand], out.contact[hand]);
 }
 
 }  // namespace halsted

@@ -21,14 +21,14 @@ struct Found {
 };
 
 /// Contact of a capsule with one triangle; the normal pushes the tissue out of the tool.
-Found touchOf(const Model& m, const CapsuleShape& c, int triangle, std::span<const Vec3> x) {
+Found touchOf(const Model& m, const CapsuleShape& c, int triangle, std::span<const Vec3> x, double margin) {   // [m]
   Found f;
   const auto& v = m.surface.triangles[triangle];
   const Vec3 &a = x[v[0]], &b = x[v[1]], &d = x[v[2]];
   if ((a - (c.a + closestOnSegment(a, c.a, c.b) * (c.b - c.a))).squaredNorm() > (c.radius + kTriangleReach) * (c.radius + kTriangleReach)) return f;
   const SegmentTriangle near = closestSegmentTriangle(c.a, c.b, a, b, d);
   const double distance = std::sqrt(near.squaredDistance);
-  if (distance > c.radius + kMargin) return f;
+  if (distance > c.radius + margin) return f;
   const Vec3 axis = c.a + near.fraction * (c.b - c.a), on = mix(near.weight, a, b, d);
   const Vec3 outward = (b - a).cross(d - a).normalized();
   const double height = outward.dot(axis - on);                  // [m] of the axis over the triangle
@@ -109,6 +109,14 @@ void addGone(int hand, int first, State& s) {
   }
 }
 
+/// A normal that nearly coincides with one already taken would push twice.
+bool looksElsewhere(const Vec3& normal, std::span<const TouchPoint> taken) {
+  constexpr double kSameWay = 0.7;             // [1] cosine
+  for (const TouchPoint& p : taken)
+    if (p.normal.dot(normal) > kSameWay) return false;
+  return true;
+}
+
 }  // namespace
 
 void refreshNear(const Model& m, int hand, State& s) {
@@ -135,7 +143,7 @@ void findContacts(const Model& m, int hand, const Pose& before, State& s) {
     const CapsuleShape capsule = placed(capsules[c], t.proxy);
     for (int i = 0; i < t.nearCount; ++i) {
       if (isHeld(m, t, t.nearTriangle[i])) continue;
-      Found f = touchOf(m, capsule, t.nearTriangle[i], s.tissue.position);
+      Found f = touchOf(m, capsule, t.nearTriangle[i], s.tissue.position, kMargin);
       if (!f.ok) continue;
       f.point.hand = hand;
       if (!merged(m, f.point, s.tissue.position, first, w)) insert(f.point, first, w);
@@ -143,6 +151,28 @@ void findContacts(const Model& m, int hand, const Pose& before, State& s) {
   }
   for (int i = first; i < w.count; ++i) carryOver(m, before, s, w.point[i]);
   addGone(hand, first, s);
+}
+
+int findAhead(const Model& m, int hand, const State& s, double margin, std::span<TouchPoint> found) {   // [m]
+  const ToolState& t = s.tools[hand];
+  const auto capsules = toolCapsules(m.params.tools[hand], t.jaw);
+  int count = 0;
+  for (bool more = true; more && count < static_cast<int>(found.size());) {
+    TouchPoint best;
+    best.gap = margin;
+    more = false;
+    for (const CapsuleShape& shape : capsules) {
+      const CapsuleShape capsule = placed(shape, t.proxy);
+      for (int i = 0; i < t.nearCount; ++i) {
+        const Found f = touchOf(m, capsule, t.nearTriangle[i], s.tissue.position, margin);
+        if (!f.ok || f.point.gap >= best.gap || !looksElsewhere(f.point.normal, found.first(count))) continue;
+        best = f.point;
+        more = true;
+      }
+    }
+    if (more) found[count++] = best;
+  }
+  return count;
 }
 
 void findGrasps(const Model& m, int hand, State& s) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <span>
+
 #include "sim/model.h"
 #include "sim/state.h"
 
@@ -10,5 +12,9 @@ void refreshNear(const Model&, int hand, State&);
 /// Appends the tool's contacts and grasps at the predicted tissue to `work.touch`.
 void findContacts(const Model&, int hand, const Pose& before, State&);
 void findGrasps(const Model&, int hand, State&);
+
+/// Where the tool would touch first, nearest first, within `margin` [m] of its surface: at most one point for each way it may go.
+/// Returns how many.
+int findAhead(const Model&, int hand, const State&, double margin, std::span<TouchPoint> found);
 
 }  // namespace halsted

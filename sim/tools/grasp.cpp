@@ -14,6 +14,8 @@ constexpr double kGripStiffness = 5e3;         // [N/m] needle or thread between
 constexpr double kGripTurn = 1.0;              // [N m/rad] needle held across the jaws
 constexpr double kThreadGrip = 8.0;            // [N] above it the thread slips through the jaws
 constexpr double kJawDepth = 7e-3;             // [m] from the tips along the jaws: how deep things may lie and be held
+constexpr double kSlipping = 0.998;            // [1] of the squared grip: above it a held point slides
+constexpr double kSlipReach = 1.5;             // [1] of the capture radius: tissue this far from the jaws has slipped out
 constexpr int kScan = 64;                      // samples along the needle when looking for what the jaws hold
 
 /// Distance of a point from the middle line of the jaws [m].
@@ -75,6 +77,17 @@ bool graspTissue(const Model& m, int hand, State& s) {
     t.graspForce[g].setZero();
   }
   return t.graspCount > 0;
+}
+
+void dropPoint(ToolState& t, int g) {
+  const int last = --t.graspCount;
+  t.graspTriangle[g] = t.graspTriangle[last];
+  t.graspWeight[g] = t.graspWeight[last];
+  t.graspLocal[g] = t.graspLocal[last];
+  t.graspForce[g] = t.graspForce[last];
+  t.graspTriangle[last] = -1;
+  t.graspWeight[last] = {};
+  t.graspLocal[last] = t.graspForce[last] = Vec3::Zero();
 }
 
 void release(const Model& m, int hand, State& s, StepOutput& out) {
@@ -165,6 +178,26 @@ void settleGrasp(const Model& m, int hand, const GraspLinks& links, State& s, St
     }
   }
   updateProxy(m, hand, s);
+}
+
+void slipGrasp(const Model& m, int hand, State& s, StepOutput& out) {
+  ToolState& t = s.tools[hand];
+  if (t.graspCount == 0) return;
+  const double limit = m.params.tools[hand].gripForce / t.graspCount, reach = m.params.tools[hand].captureRadius;   // [N] [m]
+  const int before = t.graspCount;
+  const double held = touchForce(t).norm();    // [N]
+  for (int g = t.graspCount - 1; g >= 0; --g) {
+    if (t.graspForce[g].squaredNorm() < kSlipping * limit * limit) continue;
+    const Vec3 now = pointOn(m.surface, s.tissue.position, t.graspTriangle[g], t.graspWeight[g]);
+    t.graspLocal[g] = t.proxy.inverseApply(now);
+    if (fromJaws(t, now) < kSlipReach * reach) continue;
+    const auto& v = m.surface.triangles[t.graspTriangle[g]];
+    for (int k = 0; k < 3; ++k) s.work.change[v[k]] -= t.graspWeight[g][k] * t.graspForce[g];
+    dropPoint(t, g);
+  }
+  if (t.graspCount == before) return;
+  if (t.graspCount == 0) pushEvent(out, {s.step, EventKind::kTissueReleased, hand, -1, held});
+  out.contact[hand].puncture = true;           // what slips out may jump
 }
 
 void updateProxy(const Model& m, int hand, State& s) {

@@ -15,6 +15,10 @@ GraspLinks linkGrasp(const Model&, int hand, State&);
 /// After the strand's solve: forces on the tool; the thread slips out above the grip.
 void settleGrasp(const Model&, int hand, const GraspLinks&, State&, StepOutput&);
 
+/// Tissue that the grip could not hold has slid through the jaws: it is held where it lies now, and what slid out is let go.
+/// After the tissue has answered to the grasp's forces; before the tool moves on.
+void slipGrasp(const Model&, int hand, State&, StepOutput&);
+
 /// Total force on the hand and the proxy that follows from it: proxy = device + force / coupling.
 void updateProxy(const Model&, int hand, State&);
 

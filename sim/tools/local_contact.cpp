@@ -1,5 +1,8 @@
 #include "sim/tools/local_contact.h"
 
+#include <cmath>
+
+#include "sim/tools/find_touch.h"
 #include "sim/tools/touch.h"
 
 namespace halsted {
@@ -27,6 +30,22 @@ Mat3 inSeries(const Mat3& k, double coupling) {  // [N/m] both
   return 0.5 * (series + series.transpose());
 }
 
+constexpr double kAhead = 1.5e-3;              // [m] planes are published this far before the tissue,
+constexpr double kAheadTime = 5e-3;            // [s] and as far as the hand moves in this time: the longest usual age of a model
+constexpr double kFastest = 1.0;               // [m/s] no hand is faster
+
+/// Planes where touching would begin, and the spring that waits behind the nearest: the tissue there in series with the coupling.
+/// One spring for all directions, since each plane takes it along its own normal.
+void writeAhead(const Model& m, const State& s, int hand, const ToolSample& sample, LocalContact& c) {
+  const double speed = std::fmin(sample.velocity.norm(), kFastest);   // [m/s]; fmin: a speed that is no number is the fastest
+  std::array<TouchPoint, LocalContact::kMaxPlanes> found;
+  c.planeCount = findAhead(m, hand, s, kAhead + kAheadTime * speed, found);
+  c.ahead = c.planeCount > 0;
+  if (!c.ahead) return;
+  c.stiffness = Mat3::Identity() / (touchCompliance(m, found[0]) + 1.0 / m.params.tools[hand].couplingStiffness);
+  for (int i = 0; i < c.planeCount; ++i) c.planes[i] = {c.position + found[i].gap * found[i].normal, -found[i].normal};
+}
+
 /// The strongest contacts as planes in device space: where the normal force would vanish.
 void writePlanes(const ToolState& t, LocalContact& c) {
   c.planeCount = 0;
@@ -42,11 +61,11 @@ void writePlanes(const ToolState& t, LocalContact& c) {
 
 }  // namespace
 
-void writeLocalContact(const Model& m, const State& s, int hand, std::uint64_t sampleTick, LocalContact& c) {
+void writeLocalContact(const Model& m, const State& s, int hand, const ToolSample& sample, LocalContact& c) {
   const ToolState& t = s.tools[hand];
   const double coupling = m.params.tools[hand].couplingStiffness;
   c.step = s.step;
-  c.sampleTick = sampleTick;
+  c.sampleTick = sample.tick;
   c.position = t.device.position;
   c.force = t.force;
   Mat3 k = touchStiffness(m, s, hand);
@@ -61,7 +80,10 @@ void writeLocalContact(const Model& m, const State& s, int hand, std::uint64_t s
   c.damping = c.touching ? Mat3(kDamping * Mat3::Identity()) : Mat3(Mat3::Zero());
   const bool bilateral = t.graspCount > 0 || t.holdsNeedle || t.threadCoordinate >= 0.0;
   c.planeCount = 0;
-  if (!bilateral) writePlanes(t, c);
+  c.ahead = false;
+  if (bilateral) return;
+  if (c.touching) writePlanes(t, c);
+  else writeAhead(m, s, hand, sample, c);
 }
 
 }  // namespace halsted

@@ -6,6 +6,8 @@
 
 namespace halsted {
 
-void writeLocalContact(const Model&, const State&, int hand, std::uint64_t sampleTick, LocalContact&);
+/// `sample`: what the step was given for this hand. Nothing touched: the planes are where touching would begin, far enough ahead for
+/// the hand's speed, so that the haptic tick feels a wall in the tick that reaches it.
+void writeLocalContact(const Model&, const State&, int hand, const ToolSample& sample, LocalContact&);
 
 }  // namespace halsted

@@ -117,12 +117,26 @@ void gatherTouchForces(const Model& m, const State& s, std::vector<Vec3>& nodal)
   }
 }
 
+double touchCompliance(const Model& m, const TouchPoint& p) { return tissueCompliance(m, p, p); }
+
 Vec3 touchForce(const ToolState& t) {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < t.contactCount; ++i) sum -= t.contactForce[i];
   for (int g = 0; g < t.graspCount; ++g) sum -= t.graspForce[g];
   return sum;
 }
+
+namespace {
+
+/// A held point resists in every direction; one that slides no longer along the force that makes it slide.  [1]
+Mat3 graspShare(const TouchPoint& p) {
+  const double size = p.force.norm();          // [N]
+  if (size < 0.999 * p.slipLimit || size <= 0.0) return Mat3::Identity();
+  const Vec3 d = p.force / size;
+  return Mat3::Identity() - d * d.transpose();
+}
+
+}  // namespace
 
 Mat3 touchStiffness(const Model& m, const State& s, int hand) {
   const TouchWork& w = s.work.touch;
@@ -138,8 +152,8 @@ Mat3 touchStiffness(const Model& m, const State& s, int hand) {
     if (row <= 0.0) continue;
     const double normal = p.force.dot(p.normal);
     const double tangential = (p.force - normal * p.normal).norm();
-    const bool sticks = p.grasp || tangential < 0.99 * m.params.contact.toolTissueFriction * normal;
-    k += (sticks ? Mat3(Mat3::Identity()) : Mat3(p.normal * p.normal.transpose())) / row;
+    const bool sticks = tangential < 0.99 * m.params.contact.toolTissueFriction * normal;
+    k += (p.grasp ? graspShare(p) : sticks ? Mat3(Mat3::Identity()) : Mat3(p.normal * p.normal.transpose())) / row;
   }
   return k;
 }

@@ -13,6 +13,9 @@ void solveTouch(const Model&, const std::array<Pose, kHands>& before, State&);
 
 void gatherTouchForces(const Model&, const State&, std::vector<Vec3>& nodal);
 
+/// What the tissue gives at one point when it is pushed there for one step [m/N].
+double touchCompliance(const Model&, const TouchPoint&);
+
 /// Force of the tissue on a tool, contacts and grasps together [N].
 Vec3 touchForce(const ToolState&);
 

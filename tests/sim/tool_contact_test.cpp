@@ -178,5 +178,55 @@ TEST(Grasp, SlipsOutAboveTheGripForce) {
   EXPECT_GT(most, 0.5 * g.model.params.tools[kLeft].gripForce);
 }
 
+/// A slip is friction, not a spring: once it has slid, the tissue does not pull the hand back to where it was held first. Drawn back
+/// by a fraction of the way that it slid, the hand feels nothing any more.
+TEST(Grasp, AfterASlipItHoldsWhereItLies) {
+  EdgeGrasp g;
+  g.close();
+  ASSERT_GT(g.state.tools[kLeft].graspCount, 0);
+  double rise = 0.0, most = 0.0;                 // [m] [N]
+  const auto lift = [&](double by) {             // [m]
+    rise += by;
+    g.input.tools[kLeft].pose = straddling(rise);
+    g.step();
+    return -g.state.tools[kLeft].force.z();      // [N] the wall pulls the hand down
+  };
+  int slid = 0;                                  // steps
+  for (int k = 0; k < 4000 && slid < 150 && g.state.tools[kLeft].graspCount > 0; ++k) {
+    const double before = most, force = lift(1e-5);
+    most = std::max(most, force);
+    slid = most > before + 1e-4 ? 0 : slid + 1;
+  }
+  ASSERT_EQ(slid, 150) << "1.5 mm under an even pull: it slides";
+  const double stuck = rise;                     // [m]
+  int back = 0;                                  // steps
+  while (back < 2000 && lift(-1e-5) > 0.1 * most && g.state.tools[kLeft].graspCount > 0) ++back;
+  ASSERT_GT(g.state.tools[kLeft].graspCount, 0);
+  const double stretch = most / 1000.0 + 6e-3;   // [m] of coupling and wall under the grip force
+  RecordProperty("back_mm", std::to_string((stuck - rise) * 1e3));
+  RecordProperty("most_n", std::to_string(most));
+  std::printf("slip: %.2f N, gone after %.2f mm back from %.2f mm\n", most, (stuck - rise) * 1e3, stuck * 1e3);
+  EXPECT_LT(stuck - rise, stretch);
+  EXPECT_LT(stuck - rise, stuck - 1e-3) << "the slip is not taken back";
+}
+
+/// Tissue drawn right through the jaws is let go, and is at rest again.
+TEST(Grasp, LetsGoOfWhatSlipsOutOfTheJaws) {
+  EdgeGrasp g;
+  g.close();
+  ASSERT_GT(g.state.tools[kLeft].graspCount, 0);
+  bool released = false;
+  for (int k = 0; k < 3000; ++k) {
+    g.input.tools[kLeft].pose = straddling(1e-5 * k);
+    g.step();
+    released = released || g.happened(EventKind::kTissueReleased);
+  }
+  EXPECT_TRUE(released);
+  EXPECT_EQ(g.state.tools[kLeft].graspCount, 0);
+  EXPECT_EQ(g.state.tools[kLeft].force, Vec3::Zero());
+  g.run(1500);
+  EXPECT_LT(g.displacement(), 1e-6);
+}
+
 }  // namespace
 }  // namespace halsted
