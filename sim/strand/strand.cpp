@@ -58,8 +58,9 @@ Vec3 strandTangent(const StrandModel& m, const StrandState& s, double coordinate
     arcAt(m, coordinate, point, tangent);
     return s.needle.orientation * tangent;
   }
-  const ThreadSpot spot = threadSpot(m, coordinate);
-  const Vec3 d = s.position[spot.node + 1] - s.position[spot.node];
+  // Over a segment's length about the point: the direction of one segment alone would jump as a hole slides past a node.
+  const double from = coordinate - 0.5 * m.segment, to = coordinate + 0.5 * m.segment;     // [m]
+  const Vec3 d = strandPoint(m, s, to > m.length ? m.length : to) - strandPoint(m, s, from);
   const double length = d.norm();
   return length > 0.0 ? Vec3(d / length) : Vec3::UnitX();
 }

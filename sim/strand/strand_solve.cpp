@@ -160,7 +160,7 @@ class Assembly {
 
     const Vec3 ahead = arm + model_.segment * (needle.pose.orientation * model_.arcTangent.front());
     const Vec3 curl = work_.iterate[last - 1] - 2.0 * work_.iterate[last] + needle.centre + ahead;
-    const double kb = model_.bending, c[2] = {1.0, -2.0};
+    const double kb = 2.0 * model_.bending, c[2] = {1.0, -2.0};   // the crimp is a clamp: half a segment of thread bends there
     for (int a = 0; a < 2; ++a) {
       const int i = 3 * (last - 1 + a);
       addBlock(i, i, kb * c[a] * c[a] * Mat3::Identity());

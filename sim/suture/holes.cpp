@@ -191,8 +191,10 @@ void removeLeftHoles(const Model& m, State& state, StepOutput& out) {
 }  // namespace
 
 double capstanExcess(const Vec3& before, const Vec3& after, double friction) {
-  const double c = (after - before).norm();                    // chord of the turn: phi = 2 asin(c / 2)
-  const double phi = c * (1.0 + c * c * (1.0 / 24.0 + c * c * (3.0 / 640.0 + c * c * (5.0 / 7168.0))));   // [rad]
+  const Vec3 middle = before + after;                          // half the turn: its chord is short enough for the series
+  const double size = middle.norm();
+  const double c = size > 1e-9 ? (after - middle / size).norm() : 1.41421356237309515;    // [1] phi = 4 asin(c / 2)
+  const double phi = 2.0 * c * (1.0 + c * c * (1.0 / 24.0 + c * c * (3.0 / 640.0 + c * c * (5.0 / 7168.0))));   // [rad]
   const double x = friction * phi;
   return x * (1.0 + x * (0.5 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x / 120.0))));
 }

@@ -79,6 +79,20 @@ TEST(Thread, HangsAsACatenary) {
 class BentThread : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Nodes, BentThread, testing::Values(20, 80));
 
+/// P L^3 / (3 E I), clamped in the crimp, whatever the number of nodes.
+TEST_P(BentThread, ClampedAtTheNeedleBendsAsACantilever) {
+  const double length = 0.04, wanted = 4e-4;     // [m] one per cent of the length: small
+  const SimParams p = settling(GetParam(), length);
+  StrandRig rig(p);
+  rig.clampNeedle();
+  const double load = 3.0 * p.thread.bendingStiffness * wanted / (length * length * length);   // [N]
+  rig.pull(0.0, Vec3(0, 0, load));
+  ASSERT_TRUE(rig.run(3000));
+  const double tip = rig.state.position.front().z();                           // [m]
+  RecordProperty("deflection_over_beam", std::to_string(tip / wanted));
+  EXPECT_NEAR(tip / wanted, 1.0, 0.02);
+}
+
 /// P L^3 / (48 E I): supported at both ends, loaded in the middle.
 TEST_P(BentThread, SupportedAtBothEndsBendsAsABeam) {
   const double length = 0.04, wanted = 4e-4;     // [m]
