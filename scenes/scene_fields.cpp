@@ -27,6 +27,8 @@ void addTissue(SimParams& params, Fields& fields) {
       {"tissue.solver", &tissue.solver, 0, 0, ""},
       {"tissue.youngs_modulus", &tissue.youngsModulus, 100, 1e9, "Pa"},
       {"tissue.poisson_ratio", &tissue.poissonRatio, 0, 0.495, ""},
+      {"tissue.stiffening", &tissue.stiffening, 1, 20, ""},
+      {"tissue.toe_strain", &tissue.toeStrain, 1e-3, 10, ""},
       {"tissue.density", &tissue.density, 100, 20e3, "kg/m^3"},
       {"tissue.mass_damping", &tissue.massDamping, 0, 1e3, "1/s"},
       {"tissue.substeps", &tissue.substeps, 0, 200, ""},

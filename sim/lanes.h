@@ -15,6 +15,7 @@ HALSTED_INLINE Lanes4 squareRoot(Lanes4 x) {
 }
 HALSTED_INLINE double magnitude(double x) { return std::fabs(x); }   // [1]
 HALSTED_INLINE Lanes4 magnitude(Lanes4 x) { return x < 0.0 ? -x : x; }
+HALSTED_INLINE Lanes4 larger(Lanes4 a, Lanes4 b) { return a < b ? b : a; }
 
 template <typename L> struct LaneCount;
 template <> struct LaneCount<double> { static constexpr int value = 1; };

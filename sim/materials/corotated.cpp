@@ -39,18 +39,25 @@ Mat3 rotationDifferential(const Polar& p, const Mat3& dF) {             // dF [1
 double energyDensity(const Corotated& m, const Mat3& F) {
   const Polar p = polar(F);
   const double dilation = p.stretch.trace() - 3.0;                      // [1]
-  return m.mu * (F - p.rotation).squaredNorm() + 0.5 * m.lambda * dilation * dilation;
+  const double e = (F - p.rotation).norm(), k = m.stiffening;           // [1]
+  const double distortion = e <= m.toe ? e * e : k * e * e - (k - 1.0) * m.toe * (2.0 * e - m.toe);
+  return m.mu * distortion + 0.5 * m.lambda * dilation * dilation;
 }
 
 Mat3 stress(const Corotated& m, const Mat3& F) {
   const Polar p = polar(F);
-  return 2.0 * m.mu * (F - p.rotation) + m.lambda * (p.stretch.trace() - 3.0) * p.rotation;
+  const Mat3 distortion = F - p.rotation;
+  return 2.0 * m.mu * secantFactor(m, distortion.norm()) * distortion + m.lambda * (p.stretch.trace() - 3.0) * p.rotation;
 }
 
 Mat3 stressDifferential(const Corotated& m, const Mat3& F, const Mat3& dF) {
   const Polar p = polar(F);
   const Mat3 turned = rotationDifferential(p, dF);
-  return 2.0 * m.mu * (dF - turned) + m.lambda * (contract(p.rotation, dF) * p.rotation + (p.stretch.trace() - 3.0) * turned);
+  const Mat3 distortion = F - p.rotation, change = dF - turned;
+  const double e = distortion.norm();                                   // [1]
+  Mat3 stiffer = secantFactor(m, e) * change;
+  if (e > m.toe) stiffer += (m.stiffening - 1.0) * m.toe / (e * e * e) * contract(distortion, change) * distortion;
+  return 2.0 * m.mu * stiffer + m.lambda * (contract(p.rotation, dF) * p.rotation + (p.stretch.trace() - 3.0) * turned);
 }
 
 }  // namespace halsted

@@ -25,7 +25,7 @@ Sparse systemMatrix(const TissueModel& m) {
   }
   for (std::size_t t = 0; t < m.tets.size(); ++t) {
     const auto g = shapeGradients(m.restInverse[t]);
-    const double weight = 2.0 * m.material.mu * m.restVolume[t];                       // [J]
+    const double weight = 2.0 * m.material.stiffening * m.material.mu * m.restVolume[t];        // [J] of the stiffest slope: never overshoots
     for (int a = 0; a < 4; ++a) {
       for (int b = 0; b < 4; ++b) {
         const int i = m.tets[t][a], j = m.tets[t][b];

@@ -35,6 +35,7 @@ struct LocalData {
   double* pressure;              // [Pa] per tet
   double* force;                 // [N] [corner][xyz][lane]
   double mu, lambda, gain;       // [Pa], [Pa], [Pa] Uzawa step
+  double stiffening, toe;        // [1], [1] see secantFactor
 };
 
 template <typename L> HALSTED_INLINE V3<L> gatherPosition(const double* position, const int* vertex) {
@@ -72,8 +73,19 @@ template <typename L> HALSTED_INLINE void storeForce(double* force, const V3<L>&
   storeLanes(force, f.x); storeLanes(force + kLanes, f.y); storeLanes(force + 2 * kLanes, f.z);
 }
 
+/// The stress the matrix must still be told about, over 2 mu: k (F - I) - h (F - R), which is R - I where nothing stiffens.
+template <typename L> HALSTED_INLINE M3<L> stiffeningTarget(const LocalData& d, const M3<L>& f, const M3<L>& r) {
+  const V3<L> d0 = f.c0 - r.c0, d1 = f.c1 - r.c1, d2 = f.c2 - r.c2;
+  const L strain = squareRoot(dot(d0, d0) + dot(d1, d1) + dot(d2, d2));
+  const L zero = strain * 0.0, k = zero + d.stiffening;
+  const L secant = k - (k - 1.0) * d.toe / larger(strain, zero + d.toe);
+  M3<L> t{k * f.c0 - secant * d0, k * f.c1 - secant * d1, k * f.c2 - secant * d2};
+  t.c0.x = t.c0.x - k; t.c1.y = t.c1.y - k; t.c2.z = t.c2.z - k;
+  return t;
+}
+
 /// Local step of one group: rotation, pressure, and the right-hand side it adds to its four corners:
-/// V (2 mu (R - I) - p R) g_a.
+/// V (2 mu target - p R) g_a.
 template <typename L> HALSTED_INLINE void localGroup(const LocalData& d) {
   const V3<L> x0 = gatherPosition<L>(d.position, d.vertex);
   const V3<L> e1 = gatherPosition<L>(d.position, d.vertex + kLanes) - x0;
@@ -86,12 +98,14 @@ template <typename L> HALSTED_INLINE void localGroup(const LocalData& d) {
   const M3<L> r = updateRotation<L>(d.quaternion, f);
   const L dilation = dot(r.c0, f.c0) + dot(r.c1, f.c1) + dot(r.c2, f.c2) - 3.0;
   L p = loadLanes<L>(d.pressure);
-  p = p + d.gain * (dilation - p / d.lambda);
+  const L missing = d.gain * (dilation - p / d.lambda);
+  p = p + missing;
   storeLanes(d.pressure, p);
+  p = p + (d.stiffening - 1.0) * missing;      // one step answers only 1/k of a change: the lead that keeps the pressure from ringing
   const L volume = loadLanes<L>(d.volume);
-  const L twoMu = 2.0 * d.mu * volume, along = twoMu - p * volume;
-  V3<L> c0 = along * r.c0, c1 = along * r.c1, c2 = along * r.c2;
-  c0.x = c0.x - twoMu; c1.y = c1.y - twoMu; c2.z = c2.z - twoMu;
+  const L twoMu = 2.0 * d.mu * volume, pressed = p * volume;
+  const M3<L> target = stiffeningTarget<L>(d, f, r);
+  const V3<L> c0 = twoMu * target.c0 - pressed * r.c0, c1 = twoMu * target.c1 - pressed * r.c1, c2 = twoMu * target.c2 - pressed * r.c2;
   const V3<L> f1 = b[0] * c0 + b[1] * c1 + b[2] * c2;
   const V3<L> f2 = b[3] * c0 + b[4] * c1 + b[5] * c2;
   const V3<L> f3 = b[6] * c0 + b[7] * c1 + b[8] * c2;
@@ -114,6 +128,8 @@ LocalData groupData(const TissueModel& m, TissueState& s, TissueWork& w, int g) 
   d.force = &w.scratch[g * 12 * kLanes];
   d.mu = m.material.mu;
   d.lambda = m.material.lambda;
+  d.stiffening = m.material.stiffening;
+  d.toe = m.material.toe;
   d.gain = 1.0 / (1.5 / d.mu + 1.0 / d.lambda);   // largest eigenvalue of the volume response is at most 3 / (2 mu)
   return d;
 }

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/materials/stable_neo_hookean.h"
+
 namespace halsted {
 
 Lame lame(double youngsModulus, double poissonRatio) {
@@ -22,6 +24,10 @@ void checkParams(const SimParams& p) {
   requirePositive(p.dt, "sim.dt");
   requirePositive(p.tissue.youngsModulus, "tissue.youngs_modulus");
   requirePositive(p.tissue.density, "tissue.density");
+  requirePositive(p.tissue.toeStrain, "tissue.toe_strain");
+  if (!(p.tissue.stiffening >= 1.0 && p.tissue.stiffening <= 20.0)) {
+    throw std::invalid_argument("tissue.stiffening must lie between 1 and 20");
+  }
   if (!(p.tissue.poissonRatio > 0.0 && p.tissue.poissonRatio < 0.5)) {
     throw std::invalid_argument("tissue.poisson_ratio must lie between 0 and 0.5");
   }
@@ -49,7 +55,8 @@ TissueModel buildTissue(const TetMesh& mesh, const SimParams& params) {
   m.dt = params.dt;
   m.gravity = params.gravity;
   m.massDamping = params.tissue.massDamping;
-  m.material = lame(params.tissue.youngsModulus, params.tissue.poissonRatio);
+  const Lame material = lame(params.tissue.youngsModulus, params.tissue.poissonRatio);
+  m.material = {material.mu, material.lambda, m.solver == TissueSolver::kProjective ? params.tissue.stiffening : 1.0, params.tissue.toeStrain};
   m.tets = mesh.tets;
   m.rest = mesh.vertices;
   m.mass.assign(mesh.vertices.size(), 0.0);
@@ -119,10 +126,9 @@ double elasticEnergy(const TissueModel& m, const TissueState& s) {
   for (std::size_t t = 0; t < m.tets.size(); ++t) {
     Mat3 edges;
     for (int c = 0; c < 3; ++c) edges.col(c) = s.position[m.tets[t][c + 1]] - s.position[m.tets[t][0]];
-    const Mat3 f = edges * m.restInverse[t];
-    const Mat3 r = s.rotation[t].toRotationMatrix();
-    const double dilation = (r.transpose() * f).trace() - 3.0;         // [1]
-    sum += m.restVolume[t] * (m.material.mu * (f - r).squaredNorm() + 0.5 * m.material.lambda * dilation * dilation);
+    const Mat3 F = edges * m.restInverse[t];
+    sum += m.restVolume[t] * (m.solver == TissueSolver::kXpbd ? energyDensity(StableNeoHookean{m.material.mu, m.material.lambda}, F)
+                                                              : energyDensity(m.material, F));
   }
   return sum;
 }

@@ -21,7 +21,7 @@ void predictTissue(const TissueModel&, std::span<const Vec3> force, TissueState&
 void applyForceChange(const TissueModel&, std::span<const Vec3> change, TissueState&, TissueWork&);
 void finishTissue(const TissueModel&, TissueState&, const TissueWork&);
 
-/// Elastic energy of the corotated material: mu |F - R|^2 + lambda/2 tr(R^T F - I)^2, integrated over the rest volume.  [J]
+/// Elastic energy of the material that the solver stands for (shape matching: the corotated one that its constants come from).  [J]
 double elasticEnergy(const TissueModel&, const TissueState&);
 
 /// The solvers behind predictTissue; each reads work.previous.

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/materials/corotated.h"
 #include "sim/mesh.h"
 #include "sim/params.h"
 #include "sim/tissue/projective_model.h"
@@ -20,7 +21,7 @@ struct TissueModel {
   double dt = 1e-3;                            // [s]
   Vec3 gravity = Vec3::Zero();                 // [m/s^2]
   double massDamping = 0.0;                    // [1/s]
-  Lame material;
+  Corotated material;                          // the solvers but the projective one do not stiffen
   std::vector<std::array<int, 4>> tets;        // as in the mesh
   std::vector<Mat3> restInverse;               // [1/m] per tet: inverse of the rest edge matrix (x1-x0, x2-x0, x3-x0)
   std::vector<double> restVolume;              // [m^3] per tet

@@ -25,7 +25,10 @@ template <class M> class MaterialLaws : public testing::Test {
  protected:
   const M material{kMu, kLambda};
 };
-using AllMaterials = testing::Types<Corotated, StableNeoHookean>;
+struct StiffeningCorotated : Corotated {
+  StiffeningCorotated(double shear, double bulk) : Corotated{shear, bulk, 5.0, 0.2} {}           // [Pa] Lame parameters
+};
+using AllMaterials = testing::Types<Corotated, StiffeningCorotated, StableNeoHookean>;
 TYPED_TEST_SUITE(MaterialLaws, AllMaterials);
 
 TYPED_TEST(MaterialLaws, ZeroAtRest) {
@@ -97,6 +100,15 @@ TYPED_TEST(MaterialLaws, FiniteWhenFlatCollapsedOrInverted) {
     EXPECT_TRUE(stress(this->material, F).allFinite());
     EXPECT_TRUE(stressDifferential(this->material, F, sample(3, 1.0)).allFinite());
   }
+}
+
+/// J-shaped: pulled with nu = 0 the slope is E within the toe and k E past it, and stress does not jump between.
+TEST(Corotated, StiffensPastItsToe) {
+  const Corotated wall{kMu, 0.0, 5.0, 0.2};
+  const auto pulled = [&](double strain) { return stress(wall, Vec3(1.0 + strain, 1.0, 1.0).asDiagonal())(0, 0); };   // [Pa]
+  EXPECT_NEAR((pulled(0.19) - pulled(0.01)) / 0.18, 2.0 * kMu, 1e-6 * kMu);
+  EXPECT_NEAR((pulled(0.40) - pulled(0.21)) / 0.19, 10.0 * kMu, 1e-6 * kMu);
+  EXPECT_NEAR(pulled(0.2 + 1e-9), pulled(0.2 - 1e-9), 1e-6 * kMu);
 }
 
 TYPED_TEST(MaterialLaws, AnInvertedShapeIsPushedBack) {

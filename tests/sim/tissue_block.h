@@ -44,14 +44,7 @@ struct TissueBlock {
 
   /// Energy of the material that the solver stands for.  [J]
   double elastic() const {
-    double sum = 0.0;
-    for (int t = 0; t < static_cast<int>(model.tets.size()); ++t) {
-      const double density = model.solver == TissueSolver::kXpbd
-                                 ? energyDensity(StableNeoHookean{model.material.mu, model.material.lambda}, deformation(t))
-                                 : energyDensity(Corotated{model.material.mu, model.material.lambda}, deformation(t));   // [J/m^3]
-      sum += model.restVolume[t] * density;
-    }
-    return sum;
+    return elasticEnergy(model, state);
   }
   double kinetic() const {                     // [J]
     double sum = 0.0;
