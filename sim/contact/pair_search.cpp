@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "sim/contact/geometry.h"
 
@@ -61,7 +60,8 @@ void fillGrid(const Model& m, const TissueState& t, const Grid& grid, SelfWork& 
 
 /// A triangle made ready to reject most vertices by its plane and its ball.
 struct Face {
-  int index = 0, first = 0;                      // triangle; its first pair among those of the last round
+  int index = 0, next = 0;                       // triangle; the pairs of the last round from here on belong to later ones
+  bool held = false;                             // all three corners are fixed
   Vec3 normal = Vec3::UnitZ();                   // [1]
   Vec3 centre = Vec3::Zero();                    // [m]
   double squaredReach = 0.0;                     // [m^2] about the centre
@@ -74,6 +74,7 @@ Face faceOf(const Model& m, std::span<const Vec3> x, const Grid& grid, int trian
   const Vec3 &a = x[v[0]], &b = x[v[1]], &c = x[v[2]];
   Face f;
   f.index = triangle;
+  f.held = m.tissue.isFixed[v[0]] && m.tissue.isFixed[v[1]] && m.tissue.isFixed[v[2]];
   f.normal = (b - a).cross(c - a).normalized();
   f.centre = (a + b + c) / 3.0;
   const double most = std::max({(a - f.centre).squaredNorm(), (b - f.centre).squaredNorm(), (c - f.centre).squaredNorm()});   // [m^2]
@@ -89,7 +90,8 @@ bool insideBall(const Face& f, const Vec3& p) {
   constexpr double kRoom = 1e-6;                 // [m] for rounding: the exact test follows
   const Vec3 d = p - f.centre;
   const double height = d.dot(f.normal);         // [m]
-  return height < kPairReach + kRoom && height > -kPairBehind - kRoom && d.squaredNorm() < f.squaredReach;
+  // One branch instead of three: which of them fails is as good as random.
+  return (height < kPairReach + kRoom) & (height > -kPairBehind - kRoom) & (d.squaredNorm() < f.squaredReach);
 }
 
 /// Moves the pairs of this turn's triangles into the work space; the others close ranks. Both stay in ascending order of triangles.
@@ -109,19 +111,21 @@ void takeOut(int turn, TissueState& t, SelfWork& w) {
   t.pairCount = kept;
 }
 
-/// Force that this pair carried; `first` is the first pair of its triangle. Taken: what is left over was not found again.
-double takeForce(SelfWork& w, int first, int vertex, int triangle) {
-  for (int i = first; i < w.count && w.triangle[i] == triangle; ++i)
-    if (w.vertex[i] == vertex) return std::exchange(w.force[i], 0.0);
-  return 0.0;
-}
-
-void addPair(State& s, int first, int vertex, int triangle) {
+void addPair(State& s, int vertex, int triangle, double force) {   // [N]
   TissueState& t = s.tissue;
-  if (t.pairCount >= TissueState::kMaxPairs) { ++t.droppedPairs; return; }
   t.pairVertex[t.pairCount] = vertex;
   t.pairTriangle[t.pairCount] = triangle;
-  t.pairForce[t.pairCount++] = takeForce(s.work.self, first, vertex, triangle);
+  t.pairForce[t.pairCount++] = force;
+}
+
+/// Pairs of a triangle that carry force stay, near or not: the next sweep lets go of them. Marked, so that none is added twice.
+void keepLoaded(int triangle, int& next, State& s) {
+  SelfWork& w = s.work.self;
+  for (; next < w.count && w.triangle[next] == triangle; ++next) {
+    if (w.force[next] == 0.0) continue;
+    addPair(s, w.vertex[next], triangle, w.force[next]);
+    w.ring[w.vertex[next]] = triangle;
+  }
 }
 
 /// Marks the corners of a triangle and all that they are joined to: most vertices near a triangle are its neighbours.
@@ -137,13 +141,15 @@ void searchRun(const Model& m, const Face& face, int from, int to, State& s) {
   for (int e = from; e < to; ++e) {
     if (!insideBall(face, w.place[e]) || w.ring[w.item[e]] == face.index) continue;
     const int vertex = w.item[e];
-    if (mayTouch(m, vertex, face.index) && pairGap(m, s.tissue.position, vertex, face.index).near) addPair(s, face.first, vertex, face.index);
+    if ((face.held && m.tissue.isFixed[vertex]) || !pairGap(m, s.tissue.position, vertex, face.index).near) continue;
+    const int reserved = w.count - face.next;    // for what may still have to stay
+    if (s.tissue.pairCount + reserved < TissueState::kMaxPairs) addPair(s, vertex, face.index, 0.0);
+    else ++s.tissue.droppedPairs;
   }
 }
 
 void searchFace(const Model& m, const Face& face, State& s) {
-  SelfWork& w = s.work.self;
-  markRing(m, face.index, w);
+  const SelfWork& w = s.work.self;
   for (int x = face.low[0]; x <= face.high[0]; ++x)
     for (int y = face.low[1]; y <= face.high[1]; ++y)
       searchRun(m, face, w.start[Grid::index(x, y, face.low[2])], w.start[Grid::index(x, y, face.high[2]) + 1], s);
@@ -206,11 +212,12 @@ void searchPairs(const Model& m, State& s) {
   takeOut(turn, t, w);
   fillGrid(m, t, grid, w);
   std::fill(w.ring.begin(), w.ring.end(), -1);   // no mark of an earlier step counts
-  int first = 0;
+  int next = 0;
   for (int f = turn; f < static_cast<int>(m.surface.triangles.size()); f += kPairRound) {
-    while (first < w.count && w.triangle[first] < f) ++first;
+    markRing(m, f, w);
+    keepLoaded(f, next, s);
     Face face = faceOf(m, t.position, grid, f);
-    face.first = first;
+    face.next = next;
     searchFace(m, face, s);
   }
   for (int i = t.pairCount; i < before; ++i) { t.pairVertex[i] = t.pairTriangle[i] = -1; t.pairForce[i] = 0.0; }

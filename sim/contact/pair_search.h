@@ -30,8 +30,7 @@ PairGap pairGap(const Model&, std::span<const Vec3> position, int vertex, int tr
 /// False where contact has nothing to do: neighbours on the surface, which elasticity keeps apart, and what is held in place altogether.
 bool mayTouch(const Model&, int vertex, int triangle);
 
-/// Looks anew at the triangles whose turn it is at `state.step`. Their pairs found again keep their force; those not found again are
-/// left in work.self with the force that they carried.
+/// Looks anew at the triangles whose turn it is at `state.step`: pairs that carry force stay, the others stay or come as they are near.
 void searchPairs(const Model&, State&);
 
 }  // namespace halsted

@@ -38,10 +38,13 @@ struct RodGap {
 RodGap rodGap(const Model& m, const TissueState& t, int vertex) {
   const RodParams& rod = m.params.anvil;
   const Vec3& p = t.position[vertex];
-  const Vec3 away = p - rod.from - closestOnSegment(p, rod.from, rod.to) * (rod.to - rod.from);
   RodGap g;
-  if (away.squaredNorm() > rod.radius * rod.radius && t.rodForce[vertex].isZero(0.0)) return g;
+  const Vec3 along = rod.to - rod.from;                                // [m]
+  const bool free = t.rodForce[vertex].isZero(0.0);
+  if (free && (p - rod.from).cross(along).squaredNorm() > rod.radius * rod.radius * along.squaredNorm()) return g;   // off the whole line
+  const Vec3 away = p - rod.from - closestOnSegment(p, rod.from, rod.to) * along;
   g.distance = away.norm();
+  if (free && g.distance > rod.radius) return g;
   g.touches = g.distance > 1e-9;
   if (g.touches) g.normal = away / g.distance;
   return g;
@@ -95,16 +98,6 @@ void solvePairs(const Model& m, State& s) {
   }
 }
 
-/// Pairs that this turn of the search has not found again: what was carried for them is taken back.
-void releaseLost(const Model& m, State& s) {
-  const SelfWork& w = s.work.self;
-  for (int i = 0; i < w.count; ++i) {
-    if (w.force[i] == 0.0) continue;
-    const PairGap g = pairGap(m, s.work.tissue.previous, w.vertex[i], w.triangle[i]);
-    applyPair(m, g, w.vertex[i], w.triangle[i], -w.force[i], s.work.change);
-  }
-}
-
 void solveRod(const Model& m, State& s) {
   TissueState& t = s.tissue;
   for (int v : m.surface.vertices) {
@@ -129,9 +122,11 @@ void solveRod(const Model& m, State& s) {
 
 }  // namespace
 
+int tissueContactInterval(const Model& m) { return m.tissue.solver == TissueSolver::kShapeMatching ? 4 : 1; }
+
 void solveTissueContact(const Model& m, State& s) {
   searchPairs(m, s);
-  releaseLost(m, s);
+  if (s.step % static_cast<unsigned>(tissueContactInterval(m)) != 0) return;
   if (!gatherLoads(m, s, s.work.self.give)) return;
   answerLoads(m, s.work.tissue, s.work.self.give);
   solvePairs(m, s);

@@ -98,17 +98,23 @@ TEST(SelfContact, ARoundOfTheSearchFindsExactlyWhatBruteForceFinds) {
   EXPECT_GT(most, 50u);
 }
 
-TEST(SelfContact, ATurnOfTheSearchLeavesThePairsOfOtherTurnsAlone) {
+TEST(SelfContact, TheSearchLosesNoForce) {
   StepRig rig(wallParams(), kNeedleAway);
   crumple(rig.model, 1e-3, 5, rig.state);
   for (; rig.state.step < kPairRound; ++rig.state.step) searchPairs(rig.model, rig.state);
   TissueState& t = rig.state.tissue;
   for (int i = 0; i < t.pairCount; ++i) t.pairForce[i] = 1e-3 * (1 + t.pairTriangle[i]) + 1e-6 * t.pairVertex[i];
-  ASSERT_GT(t.pairCount, 0);
-  searchPairs(rig.model, rig.state);             // nothing has moved: every pair is found again with its force
-  for (int i = 0; i < t.pairCount; ++i)
-    EXPECT_EQ(t.pairForce[i], 1e-3 * (1 + t.pairTriangle[i]) + 1e-6 * t.pairVertex[i]) << i;
-  for (int i = 0; i < rig.state.work.self.count; ++i) EXPECT_EQ(rig.state.work.self.force[i], 0.0);
+  const int count = t.pairCount;
+  ASSERT_GT(count, 0);
+  crumple(rig.model, 1e-3, 6, rig.state);        // elsewhere by now
+  for (; rig.state.step < 2 * kPairRound; ++rig.state.step) searchPairs(rig.model, rig.state);
+  int loaded = 0;
+  for (int i = 0; i < t.pairCount; ++i) loaded += t.pairForce[i] > 0.0;
+  EXPECT_EQ(loaded, count);
+  for (int i = 0; i < t.pairCount; ++i) {
+    const double given = 1e-3 * (1 + t.pairTriangle[i]) + 1e-6 * t.pairVertex[i];   // [N]
+    EXPECT_TRUE(t.pairForce[i] == 0.0 || t.pairForce[i] == given) << i;
+  }
 }
 
 class ClosingPlates : public testing::TestWithParam<double> {};   // [m/s]
