@@ -160,7 +160,7 @@ TEST(SelfContact, WhatIsHeldFastFlingsNothing) {
   const double depth = 0.5e-3;                   // [m]
   Plates plates(-depth, true);
   double fastest = 0.0;                          // [m/s]
-  for (int k = 0; k < 500; ++k) {
+  for (int k = 0; k < 1000; ++k) {
     step(plates.model, plates.input, plates.state, plates.out);
     fastest = std::max(fastest, plates.fastest());
   }
