@@ -18,6 +18,7 @@ constexpr double kTriangleReach = 6e-3;        // [m] longest edge to expect whe
 struct Found {
   TouchPoint point;
   bool ok = false;
+  bool beside = false;                         // the axis passes the triangle's edge at its own level: it is in front of a neighbour, or free
 };
 
 /// Contact of a capsule with one triangle; the normal pushes the tissue out of the tool.
@@ -38,6 +39,7 @@ Found touchOf(const Model& m, const CapsuleShape& c, int triangle, std::span<con
     f.point.normal = (on - axis) / distance;
     f.point.gap = distance - c.radius;
   } else if (height > -kBehind) {
+    f.beside = 2.0 * height * height < near.squaredDistance - 1e-18;
     f.point.normal = -outward;
     f.point.gap = height - c.radius;
   } else {
@@ -144,7 +146,7 @@ void findContacts(const Model& m, int hand, const Pose& before, State& s) {
     for (int i = 0; i < t.nearCount; ++i) {
       if (isHeld(m, t, t.nearTriangle[i])) continue;
       Found f = touchOf(m, capsule, t.nearTriangle[i], s.tissue.position, kMargin);
-      if (!f.ok) continue;
+      if (!f.ok || (f.beside && t.closed && t.graspCount == 0)) continue;   // jaws that take tissue between them lean on its edges
       f.point.hand = hand;
       if (!merged(m, f.point, s.tissue.position, first, w)) insert(f.point, first, w);
     }
@@ -165,7 +167,7 @@ int findAhead(const Model& m, int hand, const State& s, double margin, std::span
       const CapsuleShape capsule = placed(shape, t.proxy);
       for (int i = 0; i < t.nearCount; ++i) {
         const Found f = touchOf(m, capsule, t.nearTriangle[i], s.tissue.position, margin);
-        if (!f.ok || f.point.gap >= best.gap || !looksElsewhere(f.point.normal, found.first(count))) continue;
+        if (!f.ok || f.beside || f.point.gap >= best.gap || !looksElsewhere(f.point.normal, found.first(count))) continue;
         best = f.point;
         more = true;
       }
