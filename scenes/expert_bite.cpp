@@ -11,7 +11,7 @@ constexpr double kForcepsFromTip = 2.5e-3;     // [m] of arc behind the tip: whe
 constexpr double kLeadIn = 0.6, kLeadOut = 0.9, kLeadOutMost = 1.35;   // [rad] tip before the entry; past the exit
 constexpr double kClear = 0.02;                // [m] needle held off the wall
 constexpr double kSweepSpeed = 0.012;          // [m/s] along the arc
-constexpr double kDip = 1.2e-3, kDeeper = 1.0e-3;              // [m] below the places, and more for every new attempt
+constexpr double kDip = 0.6e-3, kDeeper = 0.8e-3;              // [m] below the places, and more for every new attempt
 constexpr int kAttempts = 4;
 constexpr double kPressAngle = 0.2;            // [rad] past the planned entry: still not through, the surgeon presses instead of turning
 constexpr double kPressSpeed = 0.012, kPressMost = 0.010;      // [m/s] [m] along the needle's point
@@ -69,6 +69,11 @@ const Hole* exitHole(const State& s, std::int32_t bite) {
   return nullptr;
 }
 
+/// Has it come out and caught the wall again?
+bool tipInWall(const State& s) {
+  return s.strand.holeCount > 0 && s.strand.holes[s.strand.holeCount - 1].role == static_cast<int>(HoleRole::kTip);
+}
+
 /// The needle, if the left hand has it, is shown to the driver and changes hands.
 void exchange(const Scene& s) {
   ExpertState& e = s.memory;
@@ -76,11 +81,14 @@ void exchange(const Scene& s) {
     planCircle(s.model, s.state, s.action.width, kDip + e.attempt * kDeeper, e.plan);
     e.tipAngle = e.plan.entryAngle - kLeadIn;
     if (s.state.tools[kRight].holdsNeedle) return goTo(s, kHold);
-    const Pose shown = toolFor(s, kLeft, onCircle(s, kClear * e.plan.out + 5e-3 * Vec3::UnitZ()));
+    const double away = 1.0 + 0.5 * (e.misses % 4);              // [1] missed where something is in the way: shown farther out
+    const Pose shown = toolFor(s, kLeft, onCircle(s, away * (kClear * e.plan.out + 5e-3 * Vec3::UnitZ())));
     if (moveHand(s, kLeft, shown, 0.10) && s.inPhase > 0.3) nextPhase(s);
   } else if (e.phase <= kTakeOverClose) {
     if (!pickUp(s, kRight, gripPose(s.model, s.state.strand.needle, driverCoordinate(s.model)), kTakeOver)) return;
-    goTo(s, s.state.tools[kRight].holdsNeedle ? kLeave : kTakeOver);   // missed: try again
+    const bool taken = s.state.tools[kRight].holdsNeedle;
+    if (!taken) { ++e.misses; e.hand[kRight].jaw = 1.0; }
+    goTo(s, taken ? kLeave : kShow);
     e.goal[kLeft] = above(e.hand[kLeft].command, 0.02);
   } else {
     e.hand[kLeft].jaw = 1.0;
@@ -129,7 +137,7 @@ void drive(const Scene& s, std::string& failure) {
   } else if (e.phase == kTouch) {
     if (moveHand(s, kRight, toolFor(s, kRight, onCircle(s, Vec3::Zero())), 0.03) && s.inPhase > 0.5) nextPhase(s);
   } else {
-    const bool out = exitHole(s.state, e.bite) != nullptr;
+    const bool out = exitHole(s.state, e.bite) != nullptr && !tipInWall(s.state);
     const double most = e.plan.exitAngle + (out ? kLeadOut : kLeadOutMost);
     turnOrPress(s, most);
     moveHand(s, kRight, toolFor(s, kRight, onPressedCircle(s)), 0.05);
@@ -196,7 +204,7 @@ bool runBite(const Scene& s, std::string& failure) {
     }
     e.bite = s.state.strand.bitesBegun;
     e.pressed = 0.0;
-    e.attempt = 0;
+    e.attempt = e.misses = 0;
     e.planned = true;
   }
   const int phase = e.phase;

@@ -67,9 +67,11 @@ bool pickUp(const Scene& s, int hand, const Pose& grip, int first) {
   HandMotion& h = s.memory.hand[hand];
   const int phase = s.memory.phase - first;
   constexpr double kSettle = 0.25, kClose = 0.3;                 // [s] the eye settles over the place; the jaws close
+  constexpr double kPatience = 2.5;                              // [s] what swings to and fro is not waited for
   if (phase == 0) {
     h.jaw = 1.0;
-    if (moveHand(s, hand, above(grip, kApproach), 0.10) && s.inPhase > kSettle) nextPhase(s);
+    const bool over = moveHand(s, hand, above(grip, kApproach), 0.10) && s.inPhase > kSettle;
+    if (over || s.inPhase > kPatience) nextPhase(s);
   } else if (phase == 1) {
     const Pose& seen = s.state.tools[hand].proxy;
     const bool near = moveHand(s, hand, grip, 0.04) && (seen.position - grip.position).norm() < 0.7e-3;

@@ -18,10 +18,14 @@ struct ExpertState {
   TissuePlace counter;                         // where the other hand holds the wall
   double tipAngle = 0.0;                       // [rad] commanded on the plan's circle
   int attempt = 0;                             // at the bite under way
+  int misses = 0;                              // of the needle by the driver, in this bite
   double pressed = 0.0;                        // [m] how far the needle was pushed along its point to get in
   Vec3 pressAlong = Vec3::UnitX();             // [1]
   Vec3 pullFrom = Vec3::Zero(), pullAlong = Vec3::UnitZ();   // [m], [1]
   double pulled = 0.0;                         // [m]
+  std::array<double, kHands> drawn{};          // [m] of each tail
+  double place = 0.0;                          // [m] coordinate where a tail is to be taken
+  double settled = 0.0;                        // [s] since the tails stopped coming
   std::array<Pose, kHands> goal;               // of the phase under way
 };
 

@@ -1,76 +1,128 @@
 #include <cmath>
 
 #include "scenes/expert_state.h"
+#include "sim/contact/surface.h"
 #include "sim/strand/strand.h"
 
 namespace halsted::scenes {
 namespace {
 
-constexpr double kTailReach = 0.02;            // [m] of thread between the wall and the jaws
-constexpr double kTailStep = 0.012;             // [m] farther out when it was missed
+constexpr double kLeast = 0.015, kMost = 0.075, kStep = 3e-3;   // [m] of thread to choose from, between stitch and jaws
+constexpr double kEnd = 4e-3;                  // [m] not by its very end
+constexpr double kClear = 0.012;               // [m] of room: no better with more
+constexpr double kNear = 0.1;                  // [1] room that one would give up to be nearer to the stitch
+constexpr double kLowest = -0.06, kDeepest = -0.02;            // [m] y and z: lower or deeper is out of the hands' reach
+constexpr double kSamePlace = 0.015;           // [m] along the thread
 constexpr double kTightenSpeed = 0.015;        // [m/s]
 constexpr double kTightenReach = 0.09;         // [m] as far as the arms go apart
+constexpr double kFeel = 0.5;                  // [N] short of the tension at which a hand slows down
+constexpr double kTight = 0.1;                 // [1] of the speed: nothing comes any more
+constexpr double kHoldTight = 1.5;             // [s]
+constexpr double kSnug = 0.15, kClosed = 0.13; // [1] of the opening at rest: it lies on the anvil; no need to draw any more
 
-/// Grip on the thread at a coordinate: from the surgeon's side, jaws opening across the thread.
-Pose threadGrip(const Scene& s, double coordinate) {
+/// Grip on the thread at a coordinate: from the surgeon's side, jaws opening across the thread, whichever way round is nearer.
+Pose threadGrip(const Scene& s, int hand, double coordinate) {
   const Vec3 p = strandPoint(s.model.strand, s.state.strand, coordinate);
   Vec3 t = strandTangent(s.model.strand, s.state.strand, coordinate);
   t.z() = 0.0;
-  const Vec3 along = t.norm() > 0.1 ? Vec3(t.normalized()) : Vec3(Vec3::UnitY());
+  const Vec3 now = s.memory.hand[hand].command.orientation * Vec3::UnitY();
+  const Vec3 line = t.norm() > 0.1 ? Vec3(t.normalized()) : Vec3(Vec3::UnitY());
+  const Vec3 along = line.dot(now) < 0.0 ? Vec3(-line) : line;
   Mat3 axes;
   axes << along.cross(Vec3::UnitZ()), along, Vec3::UnitZ();
   return {p, Quat(axes).normalized()};
 }
 
-/// Where to take the tail: farther out at every new attempt, for it may lie where the jaws cannot go.
-double tailCoordinate(const State& s, int attempt) {
-  return std::fmax(0.0, s.strand.holes[0].coordinate - kTailReach - kTailStep * (attempt % 5));
+/// Distance of a place on the thread from the wall and from the rest of the thread: jaws that close there take hold of nothing else.  [m]
+double clearance(const Scene& s, double coordinate) {
+  const Vec3 p = strandPoint(s.model.strand, s.state.strand, coordinate);
+  double clear = (p - s.state.tissue.position[nearestVertex(s.model.surface, s.state.tissue.position, p)]).norm();   // [m]
+  for (int i = 0; i < s.model.strand.nodes; ++i) {
+    if (std::fabs(i * s.model.strand.segment - coordinate) < kSamePlace) continue;
+    clear = std::fmin(clear, (p - s.state.strand.position[i]).norm());
+  }
+  return std::fmin(clear, kClear);
 }
-double needleCoordinate(const Model& m, const State& s) {
-  return std::fmin(m.strand.length - 2e-3, s.strand.holes[s.strand.holeCount - 1].coordinate + kTailReach);
+
+/// Where to take the thread that leaves the stitch at `stitch`, tail (`way` -1) or needle side (+1): clear, not far, and not where it
+/// was just missed.  [m] [1]
+double thinkOfPlace(const Scene& s, double stitch, double way) {
+  double best = stitch + way * kLeast, bestScore = -1.0;                                         // [m], [m]
+  for (double off = kLeast; off < kMost; off += kStep) {
+    const double c = stitch + way * off;
+    if (c < kEnd || c > s.model.strand.length - kEnd) break;
+    double score = clearance(s, c) - kNear * off;                                                // [m]
+    const Vec3 at = strandPoint(s.model.strand, s.state.strand, c);
+    if (at.y() < kLowest || at.z() < kDeepest) score -= kClear;
+    if (s.memory.attempt > 0 && std::fabs(c - s.memory.place) < 2.0 * kStep) score -= kClear;
+    if (score > bestScore) { bestScore = score; best = c; }
+  }
+  return best;
+}
+
+double tailPlace(const Scene& s) { return thinkOfPlace(s, s.state.strand.holes[0].coordinate, -1.0); }
+double needlePlace(const Scene& s) { return thinkOfPlace(s, s.state.strand.holes[s.state.strand.holeCount - 1].coordinate, 1.0); }
+
+/// Takes the thread at the place thought of; false while at it. What was not taken, or was another turn of the thread, is let go.
+bool takeThread(const Scene& s, int hand, int first, double (*think)(const Scene&)) {
+  ExpertState& e = s.memory;
+  if (!pickUp(s, hand, threadGrip(s, hand, e.place), first)) return false;
+  const double held = s.state.tools[hand].threadCoordinate;                                      // [m]
+  if (held >= 0.0 && std::fabs(held - e.place) < kSamePlace) return true;
+  e.hand[hand].jaw = 1.0;
+  ++e.attempt;
+  e.place = think(s);
+  e.phase = first;
+  e.phaseStart = s.state.step;
+  return false;
 }
 
 }  // namespace
 
-/// Phases 0 to 2: the right hand takes the thread at the last exit. 3: the left lets the needle go. 4 to 6: the left takes the tail.
+/// Phase 0: looks. 1 to 3: the right hand takes the thread at the last exit. 4: the left lets the needle go. 5 to 7: it takes the tail.
 bool runTakeTails(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   if (s.state.strand.holeCount < 2) { failure = "there is no stitch in the tissue"; return false; }
-  if (e.phase <= 2) {
-    if (!pickUp(s, kRight, threadGrip(s, needleCoordinate(s.model, s.state)), 0)) return false;
-    if (s.state.tools[kRight].threadCoordinate >= 0.0) { e.goal[kLeft] = above(e.hand[kLeft].command, 0.02); nextPhase(s); }
-    else { e.hand[kRight].jaw = 1.0; e.phase = 0; e.phaseStart = s.state.step; }
-  } else if (e.phase == 3) {
+  if (e.phase == 0) {
+    e.place = needlePlace(s);
+    nextPhase(s);
+  } else if (e.phase <= 3) {
+    if (!takeThread(s, kRight, 1, needlePlace)) return false;
+    e.goal[kLeft] = above(e.hand[kLeft].command, 0.02);
+    e.attempt = 0;
+    nextPhase(s);
+  } else if (e.phase == 4) {
     e.hand[kLeft].jaw = 1.0;
-    if (s.inPhase > 0.3 && moveHand(s, kLeft, e.goal[kLeft], 0.08)) nextPhase(s);
+    if (s.inPhase > 0.3 && moveHand(s, kLeft, e.goal[kLeft], 0.08)) { e.place = tailPlace(s); nextPhase(s); }
   } else {
-    if (!pickUp(s, kLeft, threadGrip(s, tailCoordinate(s.state, e.attempt)), 4)) return false;
-    if (s.state.tools[kLeft].threadCoordinate >= 0.0) return true;
-    e.hand[kLeft].jaw = 1.0;
-    ++e.attempt;
-    e.phase = 4;
-    e.phaseStart = s.state.step;
+    return takeThread(s, kLeft, 5, tailPlace);
   }
   return false;
 }
 
-/// Both tails are drawn apart, crossed as for a knot: each hand pulls over the other's hole, so the gap between them closes too.
+/// Both tails are drawn apart, crossed as for a knot: each hand pulls over the other's hole, so the gap between them closes too. Each
+/// hand feels its own tail: it draws until that is tight, gives way when it is too tight, and stops when the opening is closed.
 bool runTighten(const Scene& s, std::string&) {
   ExpertState& e = s.memory;
-  const auto& strand = s.state.strand;
   if (e.phase == 0) {
     for (int h = 0; h < kHands; ++h) e.goal[h] = e.hand[h].command;
-    e.pulled = 0.0;
+    e.drawn = {};
+    e.settled = 0.0;
     nextPhase(s);
   }
-  const double first = strandTension(s.model.strand, strand, strand.holes[0].coordinate, -1);
-  const double last = strandTension(s.model.strand, strand, strand.holes[strand.holeCount - 1].coordinate, 1);
-  const bool tight = std::fmin(first, last) >= s.action.tension;
-  if (!tight && e.pulled < kTightenReach) e.pulled += kTightenSpeed * s.dt;
-  const Vec3 toLeft = Vec3(-1.0, -0.35, 0.25).normalized(), toRight = Vec3(1.0, -0.35, 0.25).normalized();
-  moveHand(s, kLeft, {e.goal[kLeft].position + e.pulled * toLeft, e.goal[kLeft].orientation}, 0.1);
-  moveHand(s, kRight, {e.goal[kRight].position + e.pulled * toRight, e.goal[kRight].orientation}, 0.1);
-  return (tight || e.pulled >= kTightenReach) && s.inPhase > 1.5;
+  const double opening = s.state.metrics.openingArea / s.model.restOpening;                      // [1]
+  const bool closed = opening < kClosed;
+  double fastest = 0.0;                        // [1] of the tightening speed
+  for (int h = 0; h < kHands; ++h) {
+    const double slack = (s.action.tension - s.state.tools[h].threadForce.norm()) / kFeel;      // [1]
+    const double pace = closed || e.drawn[h] >= kTightenReach ? std::fmin(0.0, slack) : std::fmin(1.0, slack);
+    e.drawn[h] = std::fmax(0.0, e.drawn[h] + std::fmax(-1.0, pace) * kTightenSpeed * s.dt);
+    fastest = std::fmax(fastest, pace);
+    const Vec3 way = Vec3(h == kLeft ? -1.0 : 1.0, -0.35, 0.25).normalized();
+    moveHand(s, h, {e.goal[h].position + e.drawn[h] * way, e.goal[h].orientation}, 0.1);
+  }
+  e.settled = opening < kSnug || fastest < kTight ? e.settled + s.dt : 0.0;
+  return e.settled > kHoldTight;
 }
 
 }  // namespace halsted::scenes

@@ -80,6 +80,8 @@ struct Setter {
       out.tissue->youngsModulus = material.youngsModulus;
       out.tissue->poissonRatio = material.poissonRatio;
       out.tissue->density = material.density;
+      out.tissue->stiffening = material.stiffening;
+      out.tissue->toeStrain = material.toeStrain;
       return;
     }
     throw InputError(source.where + ": '" + quoted(value) + "' is not one of " + known);

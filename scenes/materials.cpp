@@ -13,10 +13,13 @@ struct MaterialField {
   const char* key;
   double Material::*value;  // unit as in Material
   double min, max;          // same unit
+  bool isRequired;
 };
-constexpr std::array<MaterialField, 3> kFields = {{{"youngs_modulus", &Material::youngsModulus, 100, 1e9},
-                                                   {"poisson_ratio", &Material::poissonRatio, 0, 0.495},
-                                                   {"density", &Material::density, 100, 20e3}}};
+constexpr std::array<MaterialField, 5> kFields = {{{"youngs_modulus", &Material::youngsModulus, 100, 1e9, true},
+                                                   {"poisson_ratio", &Material::poissonRatio, 0, 0.495, true},
+                                                   {"density", &Material::density, 100, 20e3, true},
+                                                   {"stiffening", &Material::stiffening, 1, 20, false},
+                                                   {"toe_strain", &Material::toeStrain, 1e-3, 10, false}}};
 
 bool isNumberKey(std::string_view key) {
   for (const MaterialField& field : kFields)
@@ -34,6 +37,7 @@ Material readMaterial(const std::string& name, const toml::table& table, const s
   }
   for (const MaterialField& field : kFields) {
     const toml::node* node = table.get(field.key);
+    if (!node && !field.isRequired) continue;
     if (!node) throw InputError(whereIs(origin, table, name) + ": has no " + field.key);
     const std::string where = whereIs(origin, *node, name + "." + field.key);
     const double value = requireNumber(*node, where);  // unit as in Material

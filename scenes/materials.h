@@ -10,6 +10,8 @@ struct Material {
   double youngsModulus = 0.0;   // [Pa]
   double poissonRatio = 0.0;    // [1]
   double density = 0.0;         // [kg/m^3]
+  double stiffening = 1.0;      // [1] optional in the file, as the toe
+  double toeStrain = 0.2;       // [1]
 };
 
 /// In the file's order of names. Throws InputError naming file, line and key.

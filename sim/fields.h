@@ -90,7 +90,7 @@ template <class V> struct FieldWalk {
 
 HALSTED_FIELDS(Pose, position, orientation)
 HALSTED_FIELDS(TissueState, position, velocity, rotation, pressure, rodForce, pairCount, droppedPairs, pairVertex, pairTriangle, pairForce)
-HALSTED_FIELDS(Hole, tet, weight, coordinate, force, slip, bite, role)
+HALSTED_FIELDS(Hole, tet, weight, coordinate, force, slip, bite, role, entryCosine)
 HALSTED_FIELDS(StrandContact, sample, feature, normalForce, force, weight)
 HALSTED_FIELDS(StrandState, position, velocity, tension, needle, needleVelocity, needleSpin, nearVertex, holes, holeCount, contacts,
                contactCount, bitesBegun)
@@ -100,7 +100,7 @@ HALSTED_FIELDS(ToolState, device, proxy, jaw, closed, ratchet, force, holdsNeedl
 HALSTED_FIELDS(ProcedureState, current, heldDone, heldFault, stepStart, finished, faults, inFault, late)
 HALSTED_FIELDS(HandMetrics, pathLength, peakForce, forceSum, forceSteps, lastPosition, started)
 HALSTED_FIELDS(BiteMetrics, depth, spacing, entryAngle, width)
-HALSTED_FIELDS(MetricsState, hands, bites, biteCount, pendingEntry, lastExit, acrossOpening, tears, peakStretch, peakTension, openingArea, restOpeningArea)
+HALSTED_FIELDS(MetricsState, hands, bites, biteCount, lastExit, acrossOpening, tears, peakStretch, peakTension, openingArea, restOpeningArea)
 template <class V> void visitMembers(StepWork&, V&) {}   // scratch is not part of the state's value
 HALSTED_FIELDS(State, step, random, tissue, strand, tools, procedure, metrics, work)
 

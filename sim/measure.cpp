@@ -42,17 +42,26 @@ bool crossesOpening(const TetMesh& mesh, const Vec3& from, const Vec3& to) {
   return middle.norm() < kAcross * rimRadius(mesh, mesh.vertices);
 }
 
+/// The entry of the bite that ends in this exit; the tip may have gone in elsewhere since.
+const Hole& entryOf(const StrandState& s, const Hole& exit) {
+  for (int i = 0; i < s.holeCount; ++i)
+    if (s.holes[i].bite == exit.bite && s.holes[i].role == static_cast<std::int32_t>(HoleRole::kEntry)) return s.holes[i];
+  return exit;
+}
+
 void completeBite(const Model& m, const Hole& exit, State& s, StepOutput& out) {
   MetricsState& metrics = s.metrics;
-  const Vec3 at = holePoint(m, exit, m.mesh.vertices);
+  const Hole& entered = entryOf(s.strand, exit);
+  const Vec3 at = holePoint(m, exit, m.mesh.vertices), entry = holePoint(m, entered, m.mesh.vertices);
   const int i = metrics.biteCount++;
   if (i < kMaxBites) {
     BiteMetrics& b = metrics.bites[i];
-    b.width = (at - metrics.pendingEntry).norm();
-    b.depth = rimDistance(m.mesh, m.mesh.vertices, metrics.pendingEntry);
-    b.spacing = i > 0 ? (metrics.pendingEntry - metrics.lastExit).norm() : 0.0;
+    b.entryAngle = entered.entryCosine;
+    b.width = (at - entry).norm();
+    b.depth = rimDistance(m.mesh, m.mesh.vertices, entry);
+    b.spacing = i > 0 ? (entry - metrics.lastExit).norm() : 0.0;
   }
-  if (i > 0 && crossesOpening(m.mesh, metrics.lastExit, metrics.pendingEntry)) ++metrics.acrossOpening;
+  if (i > 0 && crossesOpening(m.mesh, metrics.lastExit, entry)) ++metrics.acrossOpening;
   metrics.lastExit = at;
   pushEvent(out, {s.step, EventKind::kBiteCompleted, -1, i, i < kMaxBites ? metrics.bites[i].depth : 0.0});
 }
@@ -114,11 +123,6 @@ double openingArea(const TetMesh& mesh, std::span<const Vec3> x) {
   Vec3 area = Vec3::Zero();                    // [m^2] twice
   for (std::size_t i = 0; i < mesh.rim.size(); ++i) area += (x[mesh.rim[i]] - centre).cross(x[mesh.rim[(i + 1) % mesh.rim.size()]] - centre);
   return 0.5 * area.norm();
-}
-
-void noteEntry(const Model& m, const Hole& h, double cosine, State& s) {
-  s.metrics.pendingEntry = holePoint(m, h, m.mesh.vertices);
-  if (s.metrics.biteCount < kMaxBites) s.metrics.bites[s.metrics.biteCount].entryAngle = cosine;
 }
 
 void measure(const Model& m, State& s, StepOutput& out) {

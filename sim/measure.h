@@ -11,7 +11,5 @@ void measure(const Model&, State&, StepOutput&);
 /// Area enclosed by the rim's outline [m^2].
 double openingArea(const TetMesh&, std::span<const Vec3> tissue);
 
-/// Notes where a bite begins and the cosine [1] between needle and inward normal; called when the tip goes in.
-void noteEntry(const Model&, const Hole&, double cosine, State&);
 
 }  // namespace halsted

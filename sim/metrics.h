@@ -31,7 +31,7 @@ struct MetricsState {
   std::array<HandMetrics, kHands> hands;
   std::array<BiteMetrics, kMaxBites> bites{};
   std::int32_t biteCount = 0;                  // completed bites
-  Vec3 pendingEntry = Vec3::Zero(), lastExit = Vec3::Zero();   // [m] rest positions: entry of the bite under way, exit of the last
+  Vec3 lastExit = Vec3::Zero();                // [m] rest position of the last bite's exit
   std::int32_t acrossOpening = 0;              // bites not adjacent to the last
   std::int32_t tears = 0;
   double peakStretch = 1.0;                    // [1] largest edge length / rest length on the surface

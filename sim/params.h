@@ -14,7 +14,7 @@ struct TissueParams {                          // [tissue]
   TissueSolver solver = TissueSolver::kProjective;
   double youngsModulus = 120e3;                // youngs_modulus [Pa] handling range: a tenth of the large-strain 0.63 to 1.76 MPa
   double poissonRatio = 0.45;                  // poisson_ratio [1]
-  double stiffening = 5.0;                     // stiffening [1] slope of stress over strain past the toe, over that within; projective only
+  double stiffening = 5.25;                    // stiffening [1] slope of stress over strain past the toe, over that within; projective only
   double toeStrain = 0.2;                      // toe_strain [1] |F - R| where the collagen is stretched out (Massalou 2019: 0 to 20 %)
   double density = 1060.0;                     // density [kg/m^3]
   double massDamping = 5.0;                    // mass_damping [1/s] mesentery and fluid; tuned: rim swing dies in half a second

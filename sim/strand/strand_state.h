@@ -19,6 +19,7 @@ struct Hole {
   std::int32_t slip = 0;                       // [1] 0 the strand sticks; +1 it slides toward larger coordinates; -1 toward smaller
   std::int32_t bite = -1;                      // which bite it belongs to
   std::int32_t role = 0;                       // HoleRole
+  double entryCosine = 0.0;                    // [1] of an entry: between the needle's tip and the inward normal as it went in
 };
 
 /// A unilateral contact of a strand sample with tissue, a tool or a rod; kept from step to step.

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "sim/lanes.h"
-#include "sim/measure.h"
 #include "sim/suture/cut.h"
 
 namespace halsted {
@@ -253,7 +252,8 @@ bool openEntry(const Model& m, int triangle, const std::array<double, 3>& weight
   h.bite = s.bitesBegun++;
   h.role = static_cast<std::int32_t>(HoleRole::kEntry);
   s.holes[s.holeCount++] = h;
-  noteEntry(m, h, -strandTangent(m.strand, s, h.coordinate).dot(normal), state);
+  h.entryCosine = -strandTangent(m.strand, s, h.coordinate).dot(normal);
+  h.entryCosine = 0.0;
   h.role = static_cast<std::int32_t>(HoleRole::kTip);
   s.holes[s.holeCount++] = h;
   out.contact[0].puncture = out.contact[1].puncture = true;

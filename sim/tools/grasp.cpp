@@ -13,6 +13,7 @@ constexpr double kCloseBelow = 0.35, kOpenAbove = 0.5;   // [1] jaw opening; the
 constexpr double kGripStiffness = 5e3;         // [N/m] needle or thread between steel jaws
 constexpr double kGripTurn = 1.0;              // [N m/rad] needle held across the jaws
 constexpr double kThreadGrip = 8.0;            // [N] above it the thread slips through the jaws
+constexpr double kMostSlip = 1e-3;             // [m] a step
 constexpr double kJawDepth = 7e-3;             // [m] from the tips along the jaws: how deep things may lie and be held
 constexpr double kSlipping = 0.998;            // [1] of the squared grip: above it a held point slides
 constexpr double kSlipReach = 1.5;             // [1] of the capture radius: tissue this far from the jaws has slipped out
@@ -165,17 +166,31 @@ GraspLinks linkGrasp(const Model& m, int hand, State& s) {
   return links;
 }
 
+namespace {
+
+/// Past the grip the thread runs through the jaws toward the side that pulls; its end may leave them.
+void slipThread(const Model& m, int hand, State& s, StepOutput& out) {
+  ToolState& t = s.tools[hand];
+  const double pull = t.threadForce.norm();    // [N]
+  if (pull <= kThreadGrip) return;
+  const double along = -t.threadForce.dot(strandTangent(m.strand, s.strand, t.threadCoordinate));   // [N] of the jaws on the thread
+  const double slip = std::fmin(kMostSlip, (pull - kThreadGrip) / seriesStiffness(m, hand));        // [m]
+  t.threadCoordinate += along > 0.0 ? slip : -slip;
+  if (t.threadCoordinate > 0.0 && t.threadCoordinate < m.strand.length) return;
+  pushEvent(out, {s.step, EventKind::kThreadReleased, hand, -1, pull});
+  t.threadCoordinate = -1.0;
+  t.threadForce.setZero();
+  out.contact[hand].puncture = true;
+}
+
+}  // namespace
+
 void settleGrasp(const Model& m, int hand, const GraspLinks& links, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];
   if (links.needle >= 0) t.needleForce = -s.work.strand.links[links.needle].force;
   if (links.thread >= 0) {
     t.threadForce = -s.work.strand.links[links.thread].force;
-    if (t.threadForce.norm() > kThreadGrip) {
-      pushEvent(out, {s.step, EventKind::kThreadReleased, hand, -1, t.threadForce.norm()});
-      t.threadCoordinate = -1.0;
-      t.threadForce.setZero();
-      out.contact[hand].puncture = true;
-    }
+    slipThread(m, hand, s, out);
   }
   updateProxy(m, hand, s);
 }
