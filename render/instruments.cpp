@@ -41,7 +41,7 @@ struct Teeth { double from = 0.0, to = 0.0, pitch = 1.0, depth = 0.0; };   // [m
 void addBlade(Shape& shape, const std::vector<Section>& sections, const Teeth& teeth, double side) {
   std::vector<double> z;                                    // [m]
   for (double at = sections.front().z; at < sections.back().z;
-       at += at >= teeth.from && at < teeth.to ? 0.5 * teeth.pitch : 1.7e-3) z.push_back(at);
+       at += at >= teeth.from && at < teeth.to ? 0.5 * teeth.pitch : at < 14e-3 ? 1.7e-3 : 4.2e-3) z.push_back(at);
   z.push_back(sections.back().z);
   const auto groove = [&](int i) { return z[i] > teeth.from && z[i] < teeth.to && i % 2 == 1; };
   Loft loft{static_cast<int>(z.size()), 7, {}, {}};
