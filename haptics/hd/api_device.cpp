@@ -11,7 +11,7 @@ using namespace halsted::haptics::hd;
 namespace {
 
 HHD fail(Session& session, HDerror code) {
-  session.raise(code, HD_INVALID_HANDLE);
+  session.raise(code);
   return HD_INVALID_HANDLE;
 }
 
@@ -58,19 +58,19 @@ void hdDisableDevice(HHD hHD) {
   Session& session = Session::instance();
   const Hold hold(session.opening);
   OpenDevice* device = session.find(hHD);
-  if (!device || !device->close()) session.raise(HD_BAD_HANDLE, hHD);
+  if (!device || !device->close()) session.raise(HD_BAD_HANDLE);
 }
 
 void hdMakeCurrentDevice(HHD hHD) {
   Session& session = Session::instance();
   if (session.find(hHD)) session.makeCurrent(hHD);
-  else session.raise(HD_BAD_HANDLE, hHD);
+  else session.raise(HD_BAD_HANDLE);
 }
 
 HHD hdGetCurrentDevice(void) {
   Session& session = Session::instance();
   const HHD current = session.currentDevice();
-  if (current == HD_INVALID_HANDLE) session.raise(HD_INVALID_OPERATION, HD_INVALID_HANDLE);
+  if (current == HD_INVALID_HANDLE) session.raise(HD_INVALID_OPERATION);
   return current;
 }
 
@@ -79,7 +79,7 @@ void hdBeginFrame(HHD hHD) {
   OpenDevice* device = session.find(hHD);
   const HDerror error = device ? device->beginFrame(session.now()) : static_cast<HDerror>(HD_BAD_HANDLE);
   if (error != HD_BAD_HANDLE) session.makeCurrent(hHD);
-  if (error != HD_SUCCESS) session.raise(error, hHD);
+  if (error != HD_SUCCESS) session.raise(error);
 }
 
 void hdEndFrame(HHD hHD) {
@@ -87,7 +87,7 @@ void hdEndFrame(HHD hHD) {
   OpenDevice* device = session.find(hHD);
   std::uint32_t forceErrors = 0;
   const HDerror error = device ? device->endFrame(session.now(), forceErrors) : static_cast<HDerror>(HD_BAD_HANDLE);
-  if (error != HD_SUCCESS) session.raise(error, hHD);
+  if (error != HD_SUCCESS) session.raise(error);
   session.raiseForceErrors(forceErrors, hHD);
 }
 

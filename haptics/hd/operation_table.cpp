@@ -1,7 +1,5 @@
 #include "haptics/hd/operation_table.h"
 
-#include <algorithm>
-
 namespace halsted::haptics::hd {
 
 OperationTable::OperationTable() noexcept {
@@ -58,9 +56,10 @@ void OperationTable::end(const Ticket& ticket, HDCallbackCode code, HHD deviceNo
 }
 
 void OperationTable::free(int slot) noexcept {
-  const auto end = order_.begin() + count_;
-  std::copy(std::find(order_.begin(), end, slot) + 1, end, std::find(order_.begin(), end, slot));
   --count_;
+  int place = 0;
+  while (order_[place] != slot) ++place;
+  for (; place < count_; ++place) order_[place] = order_[place + 1];
   slots_[slot].handle = 0;
 }
 

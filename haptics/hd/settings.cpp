@@ -22,8 +22,8 @@ DeviceSettings named(std::string name, std::vector<std::string> aliases, std::si
 /// What a program finds on a machine where nobody configured anything.
 Settings builtIn() {
   Settings settings;
-  settings.devices = {named("Default Device", {"Default PHANToM"}, 0), named("left", {"phantom1"}, 1),
-                      named("right", {"phantom2"}, 2)};
+  settings.devices = {named("Default Device", {"Default PHANToM"}, 0), named("left", {"Left Device", "phantom1"}, 1),
+                      named("right", {"Right Device", "phantom2"}, 2)};
   return settings;
 }
 
