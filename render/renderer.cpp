@@ -67,6 +67,7 @@ struct Renderer::Parts {
   Holes holes;
   std::array<Instrument, kHands> instruments;
   std::array<std::array<GpuMesh, 2>, kHands> instrumentMeshes;
+  std::array<std::array<std::vector<Vec3>, 2>, kHands> instrumentShadows;   // [m]
   Matrix4 lamp, lampTexture;
   double lampDepth;                                       // [m] that the shadow map covers
   double threadRadius;                                    // [m]
@@ -106,8 +107,11 @@ Renderer::Parts::Parts(const RenderScene& scene, int w, int h)
   for (const CapsuleShape& rod : scene.rods) addRod(rodShape, rod);
   rods = uploadShape(rodShape);
   for (int hand = 0; hand < kHands; ++hand) {
-    instruments[hand] = makeInstrument(scene.tools[hand]);
-    for (int half = 0; half < 2; ++half) instrumentMeshes[hand][half] = uploadShape(instruments[hand].halves[half]);
+    instruments[hand] = makeInstrument(scene.tools[hand], scene.jaws[hand]);
+    for (int half = 0; half < 2; ++half) {
+      instrumentMeshes[hand][half] = uploadShape(instruments[hand].halves[half]);
+      instrumentShadows[hand][half] = shadowTriangles(instruments[hand].halves[half]);
+    }
   }
   const Vec3 middle = 0.5 * (place.centre + Vec3(place.centre.x(), place.centre.y(), 0.0));   // [m] between skin and rim
   const double lampRadius = std::max(0.085, 4.0 * place.radius);   // [m]
@@ -186,7 +190,6 @@ void Renderer::Parts::drawBackdrop(const CameraView& camera, const Matrix4& view
 }
 
 void Renderer::Parts::markShadows(const RenderSnapshot& snapshot) {
-  constexpr double kInstrument = 6.5e-3, kStep = 4e-3;    // [m] widest reach from its axis, open; between the discs that stand for it
   shadowCells->clear();
   if (hasTissue(snapshot))
     for (const auto& t : casters) shadowCells->add(snapshot.tissue[t[0]], snapshot.tissue[t[1]], snapshot.tissue[t[2]]);
@@ -195,8 +198,11 @@ void Renderer::Parts::markShadows(const RenderSnapshot& snapshot) {
   shadowCells->add(snapshot.needle.position, needleReach);
   for (const CapsuleShape& rod : rodsAsLines)
     for (double t = 0.0; t <= 1.0; t += 0.05) shadowCells->add(rod.a + t * (rod.b - rod.a), 1.5 * rod.radius);
-  for (const ToolView& tool : snapshot.tools)
-    for (double z = 0.0; z < 0.101; z += kStep) shadowCells->add(tool.pose.apply(Vec3(0.0, 0.0, z)), kInstrument);   // up to where its shadow ends
+  for (int hand = 0; hand < kHands; ++hand)
+    for (int half = 0; half < 2; ++half) {
+      const Matrix4 stand = matrixOf(halfPose(instruments[hand], half, snapshot.tools[hand].jaw, snapshot.tools[hand].pose));
+      shadowCells->add(instrumentShadows[hand][half], stand.cast<double>());
+    }
 }
 
 void Renderer::Parts::drawFieldShadows(const RenderSnapshot& snapshot, const CameraView& camera, const Matrix4& view) {

@@ -8,7 +8,7 @@
 namespace halsted::render {
 namespace {
 
-constexpr double kMaskHalf = 0.24, kMaskCell = 2e-3;     // [m] reaches past the corners of the ground
+constexpr double kMaskHalf = 0.24, kMaskCell = 1.5e-3;   // [m] reaches past the corners of the ground
 constexpr int kMaskCells = static_cast<int>(2.0 * kMaskHalf / kMaskCell);
 constexpr double kSoft = 0.4e-3;                         // [m] what filtering adds to a shadow: two texels of the map
 
@@ -58,6 +58,21 @@ void ShadowCells::add(const Vec3& caster, double radius) {
 void ShadowCells::add(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 p = alongLight(a), q = alongLight(b), r = alongLight(c), soft = Vec3::Constant(kSoft);   // [m]
   mark(p.cwiseMin(q).cwiseMin(r) - soft, p.cwiseMax(q).cwiseMax(r) + soft);
+}
+
+void ShadowCells::add(const std::vector<Vec3>& corners, const Eigen::Matrix4d& stand) {
+  const Mat3 turn = stand.topLeftCorner<3, 3>();                               // [1]
+  const Vec3 u = turn.transpose() * first_, v = turn.transpose() * second_;    // [1] across the light, as the thing sees it
+  const Vec3 origin = alongLight(stand.topRightCorner<3, 1>()), soft(kSoft, kSoft, 0.0);   // [m]
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+    Vec3 low = Vec3::Constant(1e9), high = -low;         // [m]
+    for (std::size_t k = i; k < i + 3; ++k) {
+      const Vec3 at = origin + Vec3(corners[k].dot(u), corners[k].dot(v), 0.0);
+      low = low.cwiseMin(at);
+      high = high.cwiseMax(at);
+    }
+    mark(low - soft, high + soft);
+  }
 }
 
 bool ShadowCells::covered(const Box& box) const {

@@ -13,6 +13,7 @@ class ShadowCells {
   void clear();
   void add(const Vec3& caster, double radius);                        // [m]
   void add(const Vec3& a, const Vec3& b, const Vec3& c);              // [m] a triangle that casts
+  void add(const std::vector<Vec3>& corners, const Eigen::Matrix4d& stand);   // [m] three a triangle, and where the thing stands
   const std::vector<std::uint32_t>& indices();                        // triangles of the patches in question
 
  private:
