@@ -38,6 +38,7 @@ void sendTarget(Device& device, const WorkspaceMapping& mapping, const HandTarge
 Pose readPose(const DeviceReading& reading, const HandLoopConfig& config, const HandLoopState& state,
               std::uint32_t& faults) noexcept {
   if (!reading.connected) faults |= kFaultDeviceGone;
+  else if (!reading.fresh) faults |= kFaultDeviceSilent;
   else if (usablePose(reading.pose)) return toWorld(config.mapping, reading.pose);
   else faults |= kFaultBadReading;
   return {state.lastPosition, state.lastOrientation};
