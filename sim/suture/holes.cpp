@@ -250,9 +250,9 @@ bool openEntry(const Model& m, int triangle, const std::array<double, 3>& weight
       if (m.tissue.tets[h.tet][c] == m.surface.triangles[triangle][k]) h.weight[c] = weight[k];
   h.coordinate = tipCoordinate(m.strand);
   h.bite = s.bitesBegun++;
+  h.entryCosine = -strandTangent(m.strand, s, h.coordinate).dot(normal);
   h.role = static_cast<std::int32_t>(HoleRole::kEntry);
   s.holes[s.holeCount++] = h;
-  h.entryCosine = -strandTangent(m.strand, s, h.coordinate).dot(normal);
   h.entryCosine = 0.0;
   h.role = static_cast<std::int32_t>(HoleRole::kTip);
   s.holes[s.holeCount++] = h;

@@ -97,6 +97,16 @@ TEST(Needle, EntersAtAPointOfTheTouchedTriangleNotAtAVertex) {
   EXPECT_LT((rest - Vec3(kWallX, kEntryY, kEntryZ)).norm(), 0.5e-3);
 }
 
+/// The dimple turns the surface a little; the face of the wall at rest looks along +x.
+TEST(Needle, TheEntryKeepsTheAngleOfTheTip) {
+  Bite b(0.5e-3);
+  const Puncture p = pressThrough(b);
+  ASSERT_TRUE(p.happened);
+  const Vec3 tip = strandTangent(b.model.strand, b.state.strand, tipCoordinate(b.model.strand));
+  EXPECT_LT(tip.x(), -0.5);
+  EXPECT_NEAR(p.entry.entryCosine, -tip.x(), 0.2);
+}
+
 TEST(Needle, BackingOutRemovesItsHolesAndTheWallReturnsToRest) {
   Bite b(0.5e-3);
   ASSERT_TRUE(pressThrough(b).happened);

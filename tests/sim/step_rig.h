@@ -25,6 +25,7 @@ inline SimParams wallParams() {
   SimParams p;
   p.gravity.setZero();
   p.tissue.youngsModulus = 1e6;                // the large-strain 0.63 to 1.76 MPa: this wall stands alone and must not fold over
+  p.tissue.stiffening = 1.0;                   // past the toe already
   p.thread.nodes = 60;
   p.anvil.from = Vec3(0.3, 0.3, 0.3);          // out of the way
   p.anvil.to = Vec3(0.3, 0.3, 0.33);

@@ -130,7 +130,7 @@ TEST(Grasp, HoldsTheEdgeAndLiftsItWithTheHand) {
   EdgeGrasp g;
   g.close();
   ASSERT_GT(g.state.tools[kLeft].graspCount, 0);
-  for (int k = 0; k < 200; ++k) { g.input.tools[kLeft].pose = straddling(5e-6 * k); g.step(); }
+  for (int k = 0; k < 200; ++k) { g.input.tools[kLeft].pose = straddling(1e-5 * k); g.step(); }
   g.run(500);
   EXPECT_LT(g.state.tools[kLeft].force.z(), -0.1);           // the wall pulls the hand back down
   const ToolState& t = g.state.tools[kLeft];
@@ -148,14 +148,14 @@ TEST(Grasp, HoldsTheEdgeAndLiftsItWithTheHand) {
 TEST(Grasp, ReleaseReturnsTheTissueToRest) {
   EdgeGrasp g;
   g.close();
-  for (int k = 0; k < 200; ++k) { g.input.tools[kLeft].pose = straddling(5e-6 * k); g.step(); }
+  for (int k = 0; k < 200; ++k) { g.input.tools[kLeft].pose = straddling(1e-5 * k); g.step(); }
   ASSERT_GT(g.displacement(), 0.2e-3);
   g.input.tools[kLeft].jaw = 1.0;
   g.step();
   EXPECT_TRUE(g.happened(EventKind::kTissueReleased));
   EXPECT_TRUE(g.out.contact[kLeft].puncture);    // the force may jump
   EXPECT_EQ(g.state.tools[kLeft].graspCount, 0);
-  for (int k = 0; k < 2000; ++k) { g.input.tools[kLeft].pose = straddling(1e-3 + 2e-5 * k); g.step(); }
+  for (int k = 0; k < 2000; ++k) { g.input.tools[kLeft].pose = straddling(2e-3 + 2e-5 * k); g.step(); }
   EXPECT_LT(g.displacement(), 1e-6);
   EXPECT_LT(g.tissueSpeed(), 1e-6);
   EXPECT_EQ(g.state.tools[kLeft].force, Vec3::Zero());
