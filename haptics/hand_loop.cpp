@@ -44,6 +44,19 @@ Pose readPose(const DeviceReading& reading, const HandLoopConfig& config, const 
   return {state.lastPosition, state.lastOrientation};
 }
 
+/// A device that comes back is somewhere else than its tool. The tool does not jump there through the tissue: it goes, slowly.
+Vec3 rejoined(const HandLoopConfig& config, const Vec3& device, double dt, std::uint32_t faults, HandLoopState& state) noexcept {  // [m] [s]
+  const bool away = (faults & (kFaultDeviceGone | kFaultDeviceSilent)) != 0;
+  const bool back = state.away && !away;
+  state.away = away;
+  if (away) return device;
+  if (back) state.rejoin = state.lastPosition - device;
+  const double left = std::sqrt(state.rejoin.dot(state.rejoin));  // [m]
+  const double step = config.rejoinSpeed * dt;                    // [m]
+  state.rejoin = left > step ? Vec3(state.rejoin * (1.0 - step / left)) : Vec3(Vec3::Zero());
+  return device + state.rejoin;
+}
+
 /// First-order filter on the difference of positions; its last trace is cut off before it reaches denormals.
 Vec3 filterVelocity(const HandLoopConfig& config, const HandLoopState& state, const Vec3& moved, double dt) noexcept {  // [m] [s]
   const double share = dt / (config.velocityTime + dt);  // [1]
@@ -115,7 +128,8 @@ void tick(Device& device, const HandLoopConfig& config, const LocalContact& cont
   std::uint32_t faults = 0;
   sendTarget(device, config.mapping, target);
   const DeviceReading reading = device.read(dt);
-  const Pose pose = readPose(reading, config, state, faults);
+  Pose pose = readPose(reading, config, state, faults);
+  pose.position = rejoined(config, pose.position, dt, faults, state);
   const Vec3 moved = state.started ? Vec3(pose.position - state.lastPosition) : Vec3(Vec3::Zero());  // [m]
   state.velocity = filterVelocity(config, state, moved, dt);
   if (state.velocity.norm() > config.limits.speed * config.mapping.scale) faults |= kFaultVelocity;

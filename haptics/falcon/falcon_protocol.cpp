@@ -56,6 +56,8 @@ DeviceProblem FalconProtocol::bringUp(UsbLink& link) {
   framer_ = {};
   replies_ = 0;
   homed_ = false;
+  last_ = {};
+  buttons_ = homedLegs_ = 0;
   if (!enterRunMode(link)) return DeviceProblem::kNotAnswering;
   if (answers(link)) return DeviceProblem::kNone;
   if (firmware_.empty()) return DeviceProblem::kFirmwareMissing;
@@ -127,38 +129,43 @@ bool FalconProtocol::plausible(const FalconReply& reply) noexcept {
   return true;
 }
 
-PacketResult FalconProtocol::take(const FalconReply& reply, UsbMeasurement& measurement) noexcept {
+/// False for a reply that cannot be believed.
+bool FalconProtocol::take(const FalconReply& reply, UsbMeasurement& measurement) noexcept {
   const bool believed = plausible(reply);
+  const bool confirmed = reply.buttons == last_.buttons && reply.homed == last_.homed;   // a turned-over bit does not say it twice
   last_ = reply;
-  if (!believed) return PacketResult::kCorrupt;
+  if (!believed) return false;
   const FalconLegs legs(falconLegAngle(reply.encoders[0]), falconLegAngle(reply.encoders[1]), falconLegAngle(reply.encoders[2]));
-  homed_ = reply.homed == kFalconAllHomed;
+  const std::uint8_t buttonsBefore = buttons_;
+  if (confirmed) {
+    buttons_ = reply.buttons;
+    homedLegs_ = reply.homed;
+  }
+  homed_ = homedLegs_ == kFalconAllHomed;
   if (const auto position = falconPosition(legs, position_)) position_ = *position;
-  else if (homed_) return PacketResult::kCorrupt;                // angles that the mechanism cannot have
-  const std::uint8_t pressed = reply.buttons & ~buttons_ & (kFalconPlus | kFalconForward | kFalconMinus);
-  measurement.presses += pressed != 0;
-  buttons_ = reply.buttons;
+  else if (homed_) return false;               // angles that the mechanism cannot have
+  measurement.presses += (buttons_ & ~buttonsBefore & (kFalconPlus | kFalconForward | kFalconMinus)) != 0;
   measurement.pose.position = position_;
-  measurement.jaw = reply.buttons & kFalconCentre ? 0.0 : 1.0;
+  measurement.jaw = buttons_ & kFalconCentre ? 0.0 : 1.0;
   measurement.calibrated = homed_;
-  return PacketResult::kReading;
+  return true;
 }
 
-PacketResult FalconProtocol::received(std::span<const std::uint8_t> packet, UsbMeasurement& measurement) noexcept {
-  PacketResult result = PacketResult::kNothing;
+PacketOutcome FalconProtocol::received(std::span<const std::uint8_t> packet, UsbMeasurement& measurement) noexcept {
+  PacketOutcome outcome;
+  const std::uint64_t dropped = framer_.dropped();
   // A long read holds several chip packets, each with its own two status bytes.
   for (std::size_t at = 0; at < packet.size(); at += kFtdiPacket) {
     const auto chip = packet.subspan(at, std::min(kFtdiPacket, packet.size() - at));
     for (std::size_t i = kFtdiStatusBytes; i < chip.size(); ++i) {
-      const std::uint64_t dropped = framer_.dropped();
-      const bool whole = framer_.push(chip[i]);
-      if (framer_.dropped() != dropped) result = PacketResult::kCorrupt;
-      if (!whole) continue;
+      if (!framer_.push(chip[i])) continue;
       const auto reply = decodeFalconReply(framer_.frame());
-      result = reply ? take(*reply, measurement) : PacketResult::kCorrupt;
+      if (reply && take(*reply, measurement)) outcome.reading = true;
+      else ++outcome.broken;
     }
   }
-  return result;
+  outcome.broken += static_cast<int>(framer_.dropped() - dropped);
+  return outcome;
 }
 
 std::size_t FalconProtocol::command(const Vec3& force, bool enabled, std::span<std::uint8_t> packet) noexcept {

@@ -17,10 +17,10 @@ class FalconProtocol final : public UsbProtocol {
 
   const char* kind() const noexcept override { return "falcon"; }
   bool matches(const UsbDeviceInfo& info) const noexcept override { return info.vendor == kFalconVendor && info.product == kFalconProduct; }
-  UsbPipes pipes() const noexcept override { return {0, 0x81, 0x02}; }
+  UsbPipes pipes() const noexcept override { return {1, 0x81, 0x02}; }
   DeviceLimits limits() const noexcept override;
   DeviceProblem bringUp(UsbLink&) override;
-  PacketResult received(std::span<const std::uint8_t> packet, UsbMeasurement&) noexcept override;
+  PacketOutcome received(std::span<const std::uint8_t> packet, UsbMeasurement&) noexcept override;
   std::size_t command(const Vec3& force, bool enabled, std::span<std::uint8_t> packet) noexcept override;  // [N]
 
  private:
@@ -29,7 +29,7 @@ class FalconProtocol final : public UsbProtocol {
   bool enterFirmwareMode(UsbLink&);
   bool upload(UsbLink&);
   bool plausible(const FalconReply&) noexcept;
-  PacketResult take(const FalconReply&, UsbMeasurement&) noexcept;
+  bool take(const FalconReply&, UsbMeasurement&) noexcept;
 
   std::vector<std::uint8_t> firmware_;
   FalconFramer framer_;
@@ -37,7 +37,7 @@ class FalconProtocol final : public UsbProtocol {
   std::uint64_t replies_ = 0;
   Vec3 position_ = Vec3::Zero();               // [m] of the grip
   bool homed_ = false;
-  std::uint8_t buttons_ = 0;
+  std::uint8_t buttons_ = 0, homedLegs_ = 0;   // as two replies in a row said
 };
 
 /// Counts for the motors that push with `force` [N] at `position` [m]: all three shrink together at the limit, so that the direction stays.

@@ -1,6 +1,7 @@
 #include "haptics/falcon/falcon_wire.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace halsted::haptics {
 namespace {
@@ -81,7 +82,9 @@ bool FalconFramer::push(std::uint8_t byte) noexcept {
   if (byte == '<') {
     dropped_ += size_ > 0;
     size_ = 0;
+    stray_ = false;
   } else if (size_ == 0) {
+    dropped_ += !std::exchange(stray_, true);
     return false;                              // between frames
   }
   frame_[size_++] = byte;
@@ -89,6 +92,7 @@ bool FalconFramer::push(std::uint8_t byte) noexcept {
   if (!ends && size_ < kFalconFrame) return false;
   const bool whole = ends && size_ == kFalconFrame;
   dropped_ += !whole;
+  stray_ = !whole;                             // what follows a broken frame belongs to it
   size_ = 0;
   return whole;
 }

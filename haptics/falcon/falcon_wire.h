@@ -29,12 +29,13 @@ class FalconFramer {
   /// True when `frame()` has just become whole.
   bool push(std::uint8_t byte) noexcept;
   const FalconFrame& frame() const noexcept { return frame_; }
-  std::uint64_t dropped() const noexcept { return dropped_; }    // frames begun and not ended
+  std::uint64_t dropped() const noexcept { return dropped_; }    // frames begun and not ended, and runs of bytes outside any
 
  private:
   FalconFrame frame_{};
   std::size_t size_ = 0;
   std::uint64_t dropped_ = 0;
+  bool stray_ = false;
 };
 
 }  // namespace halsted::haptics

@@ -33,7 +33,8 @@ void runHere(Session& session, HDSchedulerCallback callback, void* userData) {
   session.raise(HD_TIMER_ERROR);
 }
 
-/// In the servo loop, and waits. False when the loop stopped first: then it is for the caller to run.
+/// In the servo loop, and waits. False when the loop stopped before the first call: then it is for the caller to run. One that had begun
+/// is let go with an error: what it waits for may never come.
 bool runInLoop(Session& session, const Operation& operation) {
   const HDSchedulerHandle handle = session.operations.add(operation);
   if (handle == 0) {
@@ -41,9 +42,14 @@ bool runInLoop(Session& session, const Operation& operation) {
     return true;
   }
   HHD left = HD_INVALID_HANDLE;
-  const bool finished = session.operations.waitFor(handle, &left) || !session.operations.remove(handle, kSecond);
-  if (finished && session.find(left)) thisThread().current = left;
-  return finished;
+  if (!session.operations.waitFor(handle, &left)) {
+    const bool begun = session.operations.hasBegun(handle);
+    const bool stillThere = session.operations.remove(handle, kSecond);
+    if (stillThere && begun) session.raise(HD_INVALID_OPERATION);
+    return begun || !stillThere;
+  }
+  if (session.find(left)) thisThread().current = left;
+  return true;
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ HDSchedulerHandle OperationTable::add(const Operation& operation) noexcept {
   if (count_ == kCapacity) return 0;
   int slot = 0;
   while (slots_[slot].handle != 0) ++slot;
-  slots_[slot] = {operation, next_++, false, false};
+  slots_[slot] = {operation, next_++, false, false, false};
 
   int place = count_++;
   for (; place > 0 && slots_[order_[place - 1]].operation.priority < operation.priority; --place) order_[place] = order_[place - 1];
@@ -39,7 +39,7 @@ bool OperationTable::begin(const Ticket& ticket, Operation& operation) noexcept 
   const Hold hold(mutex_);
   Slot& slot = slots_[ticket.slot];
   if (slot.handle != ticket.handle || slot.removed) return false;
-  slot.running = true;
+  slot.running = slot.begun = true;
   operation = slot.operation;
   return true;
 }
@@ -88,6 +88,12 @@ bool OperationTable::isScheduled(HDSchedulerHandle handle) noexcept {
 bool OperationTable::wasIssued(HDSchedulerHandle handle) noexcept {
   const Hold hold(mutex_);
   return handle > 0 && handle < next_;
+}
+
+bool OperationTable::hasBegun(HDSchedulerHandle handle) noexcept {
+  const Hold hold(mutex_);
+  const int slot = slotOf(handle);
+  return slot >= 0 && slots_[slot].begun;
 }
 
 bool OperationTable::waitFor(HDSchedulerHandle handle, HHD* device) noexcept {

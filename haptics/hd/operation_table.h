@@ -42,6 +42,8 @@ class OperationTable {
   bool remove(HDSchedulerHandle, Nanoseconds patience) noexcept;
   bool isScheduled(HDSchedulerHandle) noexcept;
   bool wasIssued(HDSchedulerHandle) noexcept;
+  /// Still scheduled, and has been called before.
+  bool hasBegun(HDSchedulerHandle) noexcept;
   /// Until it has finished, or until `release` was called. True: it has finished; then `device` is what its callback left current.
   bool waitFor(HDSchedulerHandle, HHD* device) noexcept;
   /// The servo loop runs, or has stopped: in the second case whoever waits is let go.
@@ -51,7 +53,7 @@ class OperationTable {
   struct Slot {
     Operation operation;
     HDSchedulerHandle handle = 0;              // 0: free
-    bool running = false, removed = false;
+    bool running = false, removed = false, begun = false;
   };
 
   int slotOf(HDSchedulerHandle) const noexcept;

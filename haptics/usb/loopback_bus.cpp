@@ -97,7 +97,7 @@ class LoopbackLink final : public UsbLink {
       got /= 2;
     } else if (got > 2 && faults.corruptPackets > 0) {
       --faults.corruptPackets;
-      bytes[2 + static_cast<std::size_t>(faults.corruptPackets) % (got - 2)] ^= 0x10;
+      bytes[2 + faults.where++ % (got - 2)] ^= 0x10;
     }
     return UsbStatus::kOk;
   }
@@ -118,6 +118,7 @@ int LoopbackBus::plug(UsbModel& model) {
 
 void LoopbackBus::unplug(int port) {
   ports_[port].attached = false;
+  ports_[port].model->detach();
   ++plugEvents_;
 }
 
@@ -159,7 +160,7 @@ void LoopbackBus::advance(double dt) noexcept {  // [s]
 void LoopbackBus::advanceOnce(double dt) noexcept {  // [s]
   time_ += dt;
   for (Port& port : ports_) {
-    if (port.attached) port.model->advance(dt);
+    port.model->advance(dt);
     port.faults.silentFor = std::max(0.0, port.faults.silentFor - dt);
   }
   for (Port& port : ports_)

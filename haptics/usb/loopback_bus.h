@@ -17,6 +17,7 @@ struct UsbFaults {
   int failedTransfers = 0;                     // IN transfers that end with `failure`
   UsbStatus failure = UsbStatus::kStalled;
   UsbStatus refuseOpen = UsbStatus::kOk;       // kNoPermission, kBusy
+  unsigned where = 0;                          // walks through the packet: each broken one breaks elsewhere
 };
 
 class LoopbackBus final : public UsbBus {
@@ -28,7 +29,7 @@ class LoopbackBus final : public UsbBus {
   UsbFaults& faults(int port);
 
   std::vector<UsbDeviceInfo> list() override;
-  std::unique_ptr<UsbLink> open(const UsbDeviceInfo&, int interfaceNumber, UsbStatus&) override;
+  std::unique_ptr<UsbLink> open(const UsbDeviceInfo&, int interfaces, UsbStatus&) override;
   void wait(double longest) noexcept override { advance(longest); }  // [s]
   std::uint64_t plugEvents() const noexcept override { return plugEvents_; }
   double now() const noexcept override { return time_; }

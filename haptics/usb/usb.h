@@ -37,7 +37,7 @@ class UsbStreamOwner {
   virtual void failed(UsbStatus) noexcept = 0;
 };
 
-/// An opened device with its interface claimed. Closing releases it.
+/// An opened device with its interfaces claimed. Closing releases it.
 class UsbLink {
  public:
   virtual ~UsbLink() = default;
@@ -58,8 +58,8 @@ class UsbBus {
  public:
   virtual ~UsbBus() = default;
   virtual std::vector<UsbDeviceInfo> list() = 0;                   // in order of bus and port
-  /// Null with the reason in `status`.
-  virtual std::unique_ptr<UsbLink> open(const UsbDeviceInfo&, int interfaceNumber, UsbStatus& status) = 0;
+  /// Claims interfaces 0 to `interfaces` - 1. Null with the reason in `status`.
+  virtual std::unique_ptr<UsbLink> open(const UsbDeviceInfo&, int interfaces, UsbStatus& status) = 0;
   /// Lets transfers and plug events happen for at most this long [s]; returns earlier when something did.
   virtual void wait(double longest) noexcept = 0;
   virtual std::uint64_t plugEvents() const noexcept = 0;           // arrivals and departures so far

@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kSilent = 10e-3;              // [s] without a reading: the transport is silent, force is zero
 constexpr double kDead = 0.25;                 // [s] without a reading: close and begin again
-constexpr double kRepeat = 5e-3;               // [s] without an answer: ask again
+constexpr double kRepeat = 3e-3;               // [s] without an answer: ask again
+constexpr double kShortestTurn = 0.2e-3;       // [s] between two commands: an answer that was only late must not double the traffic for ever
 constexpr double kSearchEvery = 0.5;           // [s]
 constexpr double kWriteTimeout = 50e-3;        // [s]
 constexpr double kJawRate = 7.0;               // [1/s] a button closes the jaws in 0.14 s
@@ -96,7 +97,7 @@ void UsbDevice::search() {
 
 void UsbDevice::start(const UsbDeviceInfo& info) {
   UsbStatus status = UsbStatus::kOk;
-  link_ = bus_->open(info, protocol_->pipes().interfaceNumber, status);
+  link_ = bus_->open(info, protocol_->pipes().interfaces, status);
   if (!link_) return enter(DeviceStage::kSearching, problemOf(status));
   enter(DeviceStage::kStarting, DeviceProblem::kNone);
   const DeviceProblem problem = protocol_->bringUp(*link_);
@@ -129,9 +130,12 @@ void UsbDevice::watch() noexcept {
 }
 
 void UsbDevice::received(std::span<const std::uint8_t> packet) noexcept {
-  const PacketResult result = protocol_->received(packet, latest_);
-  if (result == PacketResult::kCorrupt) ++counters_.corrupt;
-  if (result != PacketResult::kReading) return;
+  const PacketOutcome outcome = protocol_->received(packet, latest_);
+  counters_.corrupt += static_cast<std::uint64_t>(outcome.broken);
+  if (!outcome.reading) {
+    if (outcome.broken > 0) exchange();        // what was lost is asked for again at once
+    return;
+  }
   failuresInARow_ = 0;
   lastReading_ = bus_->now();
   measured_.back() = {latest_, ++counters_.readings};
@@ -155,6 +159,7 @@ void UsbDevice::failed(UsbStatus status) noexcept {
 void UsbDevice::exchange() noexcept {
   const double now = bus_->now();              // [s]
   if (wanted_.acquire()) lastWanted_ = now;
+  if (now - lastSend_ < kShortestTurn) return;
   const bool enabled = stage_.load(std::memory_order_relaxed) == DeviceStage::kReady && !failing_.load(std::memory_order_relaxed) &&
                        now - lastReading_ <= kSilent && now - lastWanted_ <= kSilent;
   std::array<std::uint8_t, 64> packet;

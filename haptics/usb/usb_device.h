@@ -23,9 +23,10 @@ struct UsbMeasurement {
   DeviceLimits limits;
 };
 
-enum class PacketResult { kNothing, kReading, kCorrupt };
+/// `reading`: the measurement is whole and new. `broken` counts frames and stray bytes that were dropped on the way to it.
+struct PacketOutcome { bool reading = false; int broken = 0; };
 
-struct UsbPipes { int interfaceNumber = 0; std::uint8_t in = 0x81, out = 0x02; };
+struct UsbPipes { int interfaces = 1; std::uint8_t in = 0x81, out = 0x02; };
 
 /// What differs between kinds of device. Service thread, but for `kind`.
 class UsbProtocol {
@@ -38,8 +39,7 @@ class UsbProtocol {
   virtual DeviceProblem notCalibrated() const noexcept { return DeviceProblem::kNeedsHoming; }
   /// Blocking; the link is fresh. Returns what keeps the device from answering.
   virtual DeviceProblem bringUp(UsbLink&) = 0;
-  /// Takes one packet; with kReading `measurement` is whole and new.
-  virtual PacketResult received(std::span<const std::uint8_t> packet, UsbMeasurement& measurement) noexcept = 0;
+  virtual PacketOutcome received(std::span<const std::uint8_t> packet, UsbMeasurement& measurement) noexcept = 0;
   /// The packet that asks for this force [N], device frame. `enabled` false: no force at all.
   virtual std::size_t command(const Vec3& force, bool enabled, std::span<std::uint8_t> packet) noexcept = 0;
 };

@@ -14,6 +14,7 @@ class UsbModel {
   virtual UsbDeviceInfo info() const = 0;
   virtual std::vector<std::uint8_t> descriptors() const = 0;       // device and configuration, as on the wire
   virtual void attach() = 0;                                       // power and bus reset: what a plug does
+  virtual void detach() {}                                         // the cable is out; what has its own supply goes on
   virtual UsbStatus control(const UsbControl&, std::span<std::uint8_t> data) = 0;
   virtual void out(std::uint8_t endpoint, std::span<const std::uint8_t>) = 0;
   /// Bytes that the endpoint has to send now, 0 when it has none. A packet of no bytes is not modelled.

@@ -127,6 +127,21 @@ TEST_F(Scheduler, LetsGoOfWhoWaitsWhenItStops) {
   hdUnschedule(handle);
 }
 
+TEST_F(Scheduler, LetsGoOfASynchronousCallThatHadBegunWhenItStops) {
+  std::atomic<int> calls{0};
+  Step forever = [&] { ++calls; return kContinue; };
+  hdStartScheduler();
+  std::thread waiter([&] { hdScheduleSynchronous(runStep, &forever, 0); });
+  while (calls < 3) std::this_thread::yield();
+  hdStopScheduler();
+  waiter.join();
+  const int stopped = calls;
+  EXPECT_EQ(drain(), std::vector<HDerror>{HD_INVALID_OPERATION});
+  hdStartScheduler();
+  onServo([] {});
+  EXPECT_EQ(calls, stopped);
+}
+
 TEST_F(Scheduler, HasStoppedCallingWhatWasUnscheduled) {
   hdStartScheduler();
   for (int i = 0; i < 50; ++i) {

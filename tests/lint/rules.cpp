@@ -88,7 +88,7 @@ bool unitNearby(const SourceFile& file, int line) {
 }
 
 void checkUnits(const SourceFile& file, Findings& findings) {
-  if (!isHeader(file) || folderOf(file.path) == "tests") return;
+  if (!isHeader(file) || folderOf(file.path) == "tests" || namedElsewhere(file)) return;
   static const std::regex kField(R"(^\s*(static |inline |constexpr |const |mutable )*(std::(vector|array|span|atomic)<(const )?)?(double|float)\b[^()]*;)");
   static const std::regex kParameter(R"([(,]\s*(const )?(double|float)\s+\w+\s*(=[^,)]*)?[,)])");
   for (int i = 0; i < static_cast<int>(file.code.size()); ++i) {

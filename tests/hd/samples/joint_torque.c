@@ -26,20 +26,22 @@ static HDCallbackCode HDCALLBACK push(void *pUserData) {
   if (phase < 0)
     for (i = 0; i < 3; ++i) first[i] = position[i];
   if (phase == 0) {
+    hdSetDoublev(HD_CURRENT_FORCE, force); /* once unseen: friction remembers the last push */
+  } else if (phase == 1) {
     for (i = 0; i < 3; ++i) torque[i] = jacobian[i] * force[0] + jacobian[6 + i] * force[1] + jacobian[12 + i] * force[2];
     hdSetDoublev(HD_CURRENT_JOINT_TORQUE, torque);
     note(position, byTorque);
-  } else if (phase == 1) {
-    hdSetDoublev(HD_CURRENT_FORCE, force);
-    if (tick == 610) hdGetLongv(HD_LAST_MOTOR_DAC_VALUES, motors);
-    note(position, byForce);
   } else if (phase == 2) {
+    hdSetDoublev(HD_CURRENT_FORCE, force);
+    if (tick == 1010) hdGetLongv(HD_LAST_MOTOR_DAC_VALUES, motors);
+    note(position, byForce);
+  } else if (phase == 3) {
     hdSetLongv(HD_CURRENT_MOTOR_DAC_VALUES, motors);
     note(position, byMotors);
   }
   hdEndFrame(hdGetCurrentDevice());
   while (hdGetError().errorCode != HD_SUCCESS) ++errors;
-  return ++tick < 1200 ? HD_CALLBACK_CONTINUE : HD_CALLBACK_DONE;
+  return ++tick < 1600 ? HD_CALLBACK_CONTINUE : HD_CALLBACK_DONE;
 }
 
 int main(void) {

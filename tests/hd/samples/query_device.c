@@ -9,10 +9,10 @@ typedef struct {
   HDboolean button;
   hduVector3Dd position;
   HDErrorInfo error;
+  int ticks;
 } DeviceData;
 
 static DeviceData servoData;
-static int ticks;
 
 static HDCallbackCode HDCALLBACK updateDevice(void *pUserData) {
   HDint buttons = 0;
@@ -23,7 +23,7 @@ static HDCallbackCode HDCALLBACK updateDevice(void *pUserData) {
   hdGetDoublev(HD_CURRENT_POSITION, servoData.position);
   servoData.error = hdGetError();
   hdEndFrame(hdGetCurrentDevice());
-  ++ticks;
+  ++servoData.ticks;
   return HD_CALLBACK_CONTINUE;
 }
 
@@ -65,7 +65,7 @@ int main(void) {
   hdScheduleSynchronous(waitTicks, &wait, HD_MIN_SCHEDULER_PRIORITY);
   hdScheduleSynchronous(copyData, &seen, HD_MIN_SCHEDULER_PRIORITY);
   printf("position %.1f %.1f %.1f button %d error %u ticks %s\n", seen.position[0], seen.position[1], seen.position[2], seen.button,
-         seen.error.errorCode, ticks >= 50 ? "ok" : "too few");
+         seen.error.errorCode, seen.ticks >= 50 ? "ok" : "too few");
   hdStopScheduler();
   hdUnschedule(handle);
   hdDisableDevice(device);

@@ -1,4 +1,5 @@
-// Two devices in one tick, joined by a spring: the moved hand drags the other one.
+// Two devices in one tick, joined by a spring: the moved hand drags the other one. Prints where the first one ends, and
+// how far the second one was dragged before its own hand brought it back.
 #include <HD/hd.h>
 #include <HDU/hduError.h>
 #include <HDU/hduVector.h>
@@ -32,7 +33,7 @@ static HDCallbackCode HDCALLBACK couple(void *) {
   hdEndFrame(right);
   sum += onLeft + onRight;
   leftEnd = leftPosition - leftStart;
-  rightEnd = rightPosition - rightStart;
+  if ((rightPosition - rightStart).magnitude() > rightEnd.magnitude()) rightEnd = rightPosition - rightStart;
   while (hdGetError().errorCode != HD_SUCCESS) ++errors;
   return ++ticks < 900 ? HD_CALLBACK_CONTINUE : HD_CALLBACK_DONE;
 }

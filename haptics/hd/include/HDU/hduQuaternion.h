@@ -121,6 +121,7 @@ inline void hduQuaternion::fromRotationMatrix(const double R[3][3]) {
   m_v[j] = 0.25 / size * (R[j][i] + R[i][j]);
   m_v[k] = 0.25 / size * (R[k][i] + R[i][k]);
   m_s = 0.25 / size * (R[k][j] - R[j][k]);
+  if (m_s < 0.0) *this *= -1.0; /* of the two that turn alike, the one with an angle of at most half a turn */
 }
 
 inline hduQuaternion operator*(const hduQuaternion &a, const hduQuaternion &b) { return hduQuaternion(a) *= b; }
