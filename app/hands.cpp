@@ -18,16 +18,23 @@ haptics::WorkspaceMapping operatingField() {
 }  // namespace
 
 DeviceChoice parseDevice(const std::string& option, const std::string& text) {
-  if (text == "virtual") return {text, Mover::kNobody, ""};
-  if (text == "mouse") return {text, Mover::kMouse, ""};
-  if (text.rfind("script:", 0) == 0 && text.size() > 7) return {text, Mover::kScript, text.substr(7)};
-  throw scenes::InputError(option + " " + text + ": unknown device; virtual, mouse or script:FILE");
+  if (text == "virtual") return {text, Mover::kNobody, "", {}};
+  if (text == "mouse") return {text, Mover::kMouse, "", {}};
+  if (text.rfind("script:", 0) == 0 && text.size() > 7) return {text, Mover::kScript, text.substr(7), {}};
+  if (HardwareChoice hardware = parseHardware(text); !hardware.driver.empty()) return {text, Mover::kNobody, "", hardware};
+  throw scenes::InputError(option + " " + text + ": unknown device; virtual, mouse, script:FILE, falcon[:SERIAL], open[:SERIAL] or vendor[:NAME]");
 }
 
 Hand makeHand(const DeviceChoice& choice, const Pose& start) {
   Hand hand;
   hand.config.period = kHapticPeriod;
   hand.config.mapping = operatingField();
+  hand.state.lastPosition = start.position;      // where the tool waits until the device is ready
+  hand.state.lastOrientation = start.orientation;
+  if (!choice.hardware.driver.empty()) {
+    hand.device = openHardware(choice.hardware);
+    return hand;
+  }
   const char* kind = choice.mover == Mover::kMouse ? "mouse" : choice.mover == Mover::kScript ? "script" : "virtual";
   hand.device = std::make_unique<haptics::VirtualDevice>(haptics::toDevice(hand.config.mapping, start), haptics::TouchDynamics{},
                                                          haptics::HandDynamics{}, kind);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "app/hardware.h"
 #include "haptics/device.h"
 #include "haptics/hand_loop.h"
 
@@ -17,6 +18,7 @@ struct DeviceChoice {
   std::string text = "virtual";                // as given: virtual, mouse, script:FILE
   Mover mover = Mover::kNobody;
   std::string scriptPath;
+  HardwareChoice hardware;                     // no driver: a hand in software
 };
 /// Throws scenes::InputError for a name that no device answers to.
 DeviceChoice parseDevice(const std::string& option, const std::string& text);
@@ -31,7 +33,7 @@ using Hands = std::array<Hand, kHands>;
 
 inline constexpr double kHapticPeriod = 1e-3;  // [s]
 
-/// The device at `start`, which is in the world.
+/// The device at `start`, which is in the world. Throws SystemFault for hardware that cannot be had.
 Hand makeHand(const DeviceChoice&, const Pose& start);
 
 }  // namespace halsted::app

@@ -1,5 +1,7 @@
 #include "app/render_scene.h"
 
+#include <numbers>
+
 namespace halsted::app {
 
 RenderScene renderScene(const Scenario& scenario) {
@@ -16,7 +18,11 @@ RenderScene renderScene(const Scenario& scenario) {
   scene.threadRadius = params.thread.radius;
   scene.needle = {params.needle.arcLength / params.needle.arcAngle, params.needle.arcAngle, params.needle.wireRadius};
   scene.rods = {{params.anvil.from, params.anvil.to, params.anvil.radius}};
-  for (int hand = 0; hand < kHands; ++hand) scene.tools[hand] = params.tools[hand].kind;
+  for (int hand = 0; hand < kHands; ++hand) {
+    const auto& tool = params.tools[hand];
+    scene.tools[hand] = tool.kind;
+    scene.jaws[hand] = {tool.jawLength, tool.jawRadius, tool.jawAngleDegrees * std::numbers::pi / 180.0};
+  }
   scene.camera = scenario.scene.camera;
   for (const ProcedureStep& step : scenario.model.procedure) {
     scene.instructions.push_back(step.instruction);

@@ -107,7 +107,7 @@ Scenario scenarioFromFile(const std::string& path, const std::vector<std::string
   Scenario scenario = scenarioFromFolder(folderOfScript(path, script), overrides);
   scenario.scripts.push_back(script);
   scenario.scriptOfHand = {0, 0};
-  for (DeviceChoice& device : scenario.devices) device = {"script:" + path, Mover::kScript, path};
+  for (DeviceChoice& device : scenario.devices) device = {"script:" + path, Mover::kScript, path, {}};
   return scenario;
 }
 

@@ -38,9 +38,23 @@ void sendTarget(Device& device, const WorkspaceMapping& mapping, const HandTarge
 Pose readPose(const DeviceReading& reading, const HandLoopConfig& config, const HandLoopState& state,
               std::uint32_t& faults) noexcept {
   if (!reading.connected) faults |= kFaultDeviceGone;
+  else if (!reading.fresh) faults |= kFaultDeviceSilent;
   else if (usablePose(reading.pose)) return toWorld(config.mapping, reading.pose);
   else faults |= kFaultBadReading;
   return {state.lastPosition, state.lastOrientation};
+}
+
+/// A device that comes back is somewhere else than its tool. The tool does not jump there through the tissue: it goes, slowly.
+Vec3 rejoined(const HandLoopConfig& config, const Vec3& device, double dt, std::uint32_t faults, HandLoopState& state) noexcept {  // [m] [s]
+  const bool away = (faults & (kFaultDeviceGone | kFaultDeviceSilent)) != 0;
+  const bool back = state.away && !away;
+  state.away = away;
+  if (away) return device;
+  if (back) state.rejoin = state.lastPosition - device;
+  const double left = std::sqrt(state.rejoin.dot(state.rejoin));  // [m]
+  const double step = config.rejoinSpeed * dt;                    // [m]
+  state.rejoin = left > step ? Vec3(state.rejoin * (1.0 - step / left)) : Vec3(Vec3::Zero());
+  return device + state.rejoin;
 }
 
 /// First-order filter on the difference of positions; its last trace is cut off before it reaches denormals.
@@ -114,7 +128,8 @@ void tick(Device& device, const HandLoopConfig& config, const LocalContact& cont
   std::uint32_t faults = 0;
   sendTarget(device, config.mapping, target);
   const DeviceReading reading = device.read(dt);
-  const Pose pose = readPose(reading, config, state, faults);
+  Pose pose = readPose(reading, config, state, faults);
+  pose.position = rejoined(config, pose.position, dt, faults, state);
   const Vec3 moved = state.started ? Vec3(pose.position - state.lastPosition) : Vec3(Vec3::Zero());  // [m]
   state.velocity = filterVelocity(config, state, moved, dt);
   if (state.velocity.norm() > config.limits.speed * config.mapping.scale) faults |= kFaultVelocity;

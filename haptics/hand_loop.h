@@ -27,6 +27,7 @@ struct HandLoopConfig {
   double blendShare = 0.4;                     // [1] a tick: decay of small offsets, so half is gone in 1.4 ticks
   PassivityConfig passivity;
   LimitConfig limits;
+  double rejoinSpeed = 0.1;                    // [m/s] world, of a tool on its way to a hand that came back elsewhere; tuned: slower than any stroke
 };
 
 struct HandLoopState {
@@ -44,6 +45,8 @@ struct HandLoopState {
   double observedEnergy = 0.0;                 // [J] passivity observer
   LimitState limits;
   bool modelUsable = true;                     // false: the newest model has a number that is none; force is zero until the next
+  Vec3 rejoin = Vec3::Zero();                  // [m] world: from where the hand is to where the tool stayed while the device was away
+  bool away = false;                           // the device was gone or silent at the last tick
   bool started = false;
 };
 

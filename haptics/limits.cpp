@@ -13,6 +13,7 @@ const char* faultName(FaultCode code) noexcept {
     case kFaultDeviceGone: return "device gone";
     case kFaultVelocity: return "device too fast";
     case kFaultStale: return "physics stalled";
+    case kFaultDeviceSilent: return "device silent";
     case kFaultRate: return "rate limited";
     case kFaultMagnitude: return "peak limited";
     case kFaultThermal: return "motors warm";

@@ -7,7 +7,7 @@
 
 namespace halsted::haptics {
 
-/// Bits of HandLoopOutput::faults. The first five cut the force; the others say which limit shaped it.
+/// Bits of HandLoopOutput::faults. The first six cut the force; the others say which limit shaped it.
 enum FaultCode : std::uint32_t {
   kFaultNone = 0,
   kFaultNonFinite = 1u << 0,                   // NaN or infinity in the model: force is zero in the same tick
@@ -15,6 +15,7 @@ enum FaultCode : std::uint32_t {
   kFaultDeviceGone = 1u << 2,                  // not connected, or it refused the force
   kFaultVelocity = 1u << 3,                    // faster than a hand: force cut, then ramped in again
   kFaultStale = 1u << 4,                       // physics stalled: force is fading or zero
+  kFaultDeviceSilent = 1u << 5,                // a transfer failed, or no reading for 10 ms: the last good position stands, force zero
   kFaultRate = 1u << 8,                        // limited: change per millisecond
   kFaultMagnitude = 1u << 9,                   // limited: the device's peak
   kFaultThermal = 1u << 10,                    // limited: the motors are warm

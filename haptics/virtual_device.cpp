@@ -18,9 +18,10 @@ double length(const Vec3& v) noexcept { return std::sqrt(v.dot(v)); }
 Vec3 stopForce(const TouchDynamics& touch, const Vec3& x, const Vec3& v) noexcept {  // [m] [m/s]
   Vec3 force = Vec3::Zero();
   for (int axis = 0; axis < 3; ++axis) {
-    const double beyond = std::abs(x[axis]) - touch.halfExtent[axis];  // [m]
+    const double out = x[axis] - touch.workspaceCentre[axis];         // [m]
+    const double beyond = std::abs(out) - touch.halfExtent[axis];     // [m]
     if (beyond <= 0.0) continue;
-    const double side = x[axis] > 0.0 ? 1.0 : -1.0;  // [1]
+    const double side = out > 0.0 ? 1.0 : -1.0;  // [1]
     force[axis] = -side * std::max(0.0, touch.stopStiffness * beyond + touch.stopDamping * side * v[axis]);
   }
   return force;

@@ -16,6 +16,7 @@ struct TouchDynamics {
   double continuousForce = 0.88;               // [N]
   double stiffness = 1020.0;                   // [N/m] nominal, weakest axis
   Vec3 halfExtent{0.080, 0.060, 0.035};        // [m] usable workspace 160 x 120 x 70 mm
+  Vec3 workspaceCentre = Vec3::Zero();         // [m] the stops stand around this point
   double stopStiffness = 2000.0;               // [N/m] soft stop at its border
   double stopDamping = 5.0;                    // [N s/m] of the stop
 };

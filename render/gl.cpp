@@ -54,7 +54,6 @@ Program makeProgram(const std::string& vertex, const std::string& fragment) {
   bindSampler(program.id, "uSurface", kSurfaceUnit);
   bindSampler(program.id, "uReflection", kReflectionUnit);
   bindSampler(program.id, "uShadow", kShadowUnit);
-  bindSampler(program.id, "uDetail", kDetailUnit);
   return program;
 }
 

@@ -39,7 +39,7 @@ inline Texture makeTexture() { GLuint id; glGenTextures(1, &id); return Texture(
 inline Framebuffer makeFramebuffer() { GLuint id; glGenFramebuffers(1, &id); return Framebuffer(id); }
 
 /// Texture units are fixed, so samplers are bound once at link time.
-enum TextureUnit : int { kSurfaceUnit = 0, kReflectionUnit = 1, kShadowUnit = 2, kDetailUnit = 3 };
+enum TextureUnit : int { kSurfaceUnit = 0, kReflectionUnit = 1, kShadowUnit = 2 };
 
 /// A linked program with the locations of the uniforms that all shaders share; -1 when a shader does not use one.
 struct Program {

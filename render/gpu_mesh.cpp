@@ -8,6 +8,14 @@ void GpuMesh::draw() const {
   glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, nullptr);
 }
 
+void GpuMesh::drawAs(const GpuIndices& other) const {
+  if (other.count == 0) return;
+  glBindVertexArray(array);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, other.buffer);
+  glDrawElements(GL_TRIANGLES, other.count, GL_UNSIGNED_INT, nullptr);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
+}
+
 void GpuMesh::stream(const void* data, std::size_t bytes) const {
   glBindBuffer(GL_ARRAY_BUFFER, vertices);
   glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes), data);
@@ -27,6 +35,13 @@ void uploadIndices(GpuMesh& mesh, const std::vector<std::uint32_t>& indices) {
   mesh.count = static_cast<GLsizei>(indices.size());
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices);
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data(), GL_STATIC_DRAW);
+}
+
+GpuIndices uploadOtherIndices(const std::vector<std::uint32_t>& indices) {
+  GpuIndices other{makeBuffer(), static_cast<GLsizei>(indices.size())};
+  glBindBuffer(GL_ARRAY_BUFFER, other.buffer);           // not as indices: that would enter the bound vertex array
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data(), GL_STATIC_DRAW);
+  return other;
 }
 
 GpuMesh uploadShape(const Shape& shape) {
@@ -52,11 +67,12 @@ GpuMesh uploadTube(const Tube& tube) {
 Texture uploadImage(const Image& image, Sampling sampling) {
   Texture texture = makeTexture();
   const bool tiles = sampling == Sampling::kTiles;
+  const GLint plain = sampling == Sampling::kNearest ? GL_NEAREST : GL_LINEAR;
   glBindTexture(GL_TEXTURE_2D, texture);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
   if (tiles) glGenerateMipmap(GL_TEXTURE_2D);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, tiles ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, tiles ? GL_LINEAR_MIPMAP_NEAREST : plain);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, plain);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, tiles ? GL_REPEAT : GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, tiles ? GL_REPEAT : GL_CLAMP_TO_EDGE);
   return texture;

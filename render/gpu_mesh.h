@@ -9,6 +9,12 @@
 
 namespace halsted::render {
 
+/// Other triangles of the same vertices.
+struct GpuIndices {
+  Buffer buffer;
+  GLsizei count = 0;
+};
+
 /// Owns the buffers of one mesh. `stream` replaces the vertices of a frame and never grows.
 struct GpuMesh {
   VertexArray array;
@@ -16,16 +22,19 @@ struct GpuMesh {
   GLsizei count = 0;
 
   void draw() const;
+  void drawAs(const GpuIndices&) const;
   void stream(const void* data, std::size_t bytes) const;
   void drawOnly(const std::vector<std::uint32_t>& some, const Buffer& room) const;   // these triangles; `room` holds their indices
 };
 
 GpuMesh uploadShape(const Shape&);
 GpuMesh uploadTube(const Tube&);
+GpuIndices uploadOtherIndices(const std::vector<std::uint32_t>&);
 void uploadIndices(GpuMesh&, const std::vector<std::uint32_t>&);   // to the bound vertex array
 
 /// kOneLevel: clamped and without mip levels, which saves llvmpipe the derivatives; for pictures that are never made smaller.
-enum class Sampling { kTiles, kOneLevel };
+/// kNearest: that, and one fetch where linear filtering makes four, the dearest thing a fragment does on a CPU; for smooth pictures.
+enum class Sampling { kTiles, kOneLevel, kNearest };
 Texture uploadImage(const Image&, Sampling);
 
 }  // namespace halsted::render

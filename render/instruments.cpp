@@ -41,7 +41,7 @@ struct Teeth { double from = 0.0, to = 0.0, pitch = 1.0, depth = 0.0; };   // [m
 void addBlade(Shape& shape, const std::vector<Section>& sections, const Teeth& teeth, double side) {
   std::vector<double> z;                                    // [m]
   for (double at = sections.front().z; at < sections.back().z;
-       at += at >= teeth.from && at < teeth.to ? 0.5 * teeth.pitch : 1.7e-3) z.push_back(at);
+       at += at >= teeth.from && at < teeth.to ? 0.5 * teeth.pitch : at < 14e-3 ? 1.7e-3 : 4.2e-3) z.push_back(at);
   z.push_back(sections.back().z);
   const auto groove = [&](int i) { return z[i] > teeth.from && z[i] < teeth.to && i % 2 == 1; };
   Loft loft{static_cast<int>(z.size()), 7, {}, {}};
@@ -88,16 +88,48 @@ Shape forcepsHalf(double side) {                            // [1]
   return shape;
 }
 
+/// The patterns above are drawn for jaws of this size.
+constexpr JawShape kDrawn{12e-3, 1.2e-3, 25.0 * kDegree};
+
+/// Stretches the jaws to the wanted size; what lies behind them moves along unchanged.
+void fitJaws(const JawShape& jaws, Shape& half) {
+  const double longer = jaws.length - kDrawn.length, stretch = jaws.length / kDrawn.length;   // [m], [1]
+  for (ShapeVertex& v : half.vertices) {
+    const double z = v.position[2], behind = std::clamp(z / kDrawn.length, 0.0, 1.0);         // [m], [1]
+    const double thicker = jaws.radius / kDrawn.radius * (1.0 - behind) + behind;             // [1]
+    v.position[0] = static_cast<float>(v.position[0] * thicker);
+    v.position[1] = static_cast<float>(v.position[1] * thicker);
+    v.position[2] = static_cast<float>(z < kDrawn.length ? z * stretch : z + longer);
+  }
+}
+
 }  // namespace
 
-Instrument makeInstrument(ToolKind kind) {
+Instrument makeInstrument(ToolKind kind, const JawShape& jaws) {
   Instrument out;
   const bool driver = kind == ToolKind::kNeedleDriver;
   for (int h = 0; h < 2; ++h) out.halves[h] = driver ? needleDriverHalf(h ? -1.0 : 1.0) : forcepsHalf(h ? -1.0 : 1.0);
-  // The simulated jaws are 12 mm long and 25 degrees apart when open (sim/params.h): their tips stand 5.2 mm apart.
-  out.hinge = driver ? 16e-3 : 118e-3;
-  out.openAngle = std::asin(2.6e-3 / out.hinge);
+  for (Shape& half : out.halves) fitJaws(jaws, half);
+  // Real hinges lie farther back than the simulated ones: the turn is what puts the tips equally far apart.
+  out.hinge = (driver ? 16e-3 : 118e-3) + jaws.length - kDrawn.length;
+  out.openAngle = std::asin(std::clamp(jaws.length * std::sin(0.5 * jaws.openAngle) / out.hinge, 0.0, 1.0));
   return out;
+}
+
+std::vector<Vec3> shadowTriangles(const Shape& half) {
+  constexpr double kFull = 1.15, kThins = 85e-3, kEnd = 0.1;   // [1], [m], [m] as kInstrumentDepthVertex has them
+  std::vector<Vec3> corners;
+  for (std::size_t i = 0; i + 2 < half.indices.size(); i += 3) {
+    Vec3 p[3];                                              // [m]
+    double core[3] = {};                                    // [1] share of its width
+    for (int k = 0; k < 3; ++k) {
+      const float* at = half.vertices[half.indices[i + k]].position;   // [m]
+      core[k] = std::clamp(kFull - at[2] / kThins, 0.0, 1.0);
+      p[k] = Vec3(core[k] * at[0], core[k] * at[1], std::min<double>(at[2], kEnd));
+    }
+    if (core[0] + core[1] + core[2] > 0.0) corners.insert(corners.end(), p, p + 3);
+  }
+  return corners;
 }
 
 Pose halfPose(const Instrument& instrument, int half, double jaw, const Pose& tool) {

@@ -14,7 +14,11 @@ struct Instrument {
   double openAngle = 0.0;                    // [rad] turn of each half when fully open
 };
 
-Instrument makeInstrument(ToolKind);
+/// With the jaws as long, thick and far apart as the simulated ones.
+Instrument makeInstrument(ToolKind, const JawShape& = {});
+/// Corners of the triangles that a half casts its shadow with: an operating lamp is wide, so the core of a shadow narrows with the
+/// distance of what casts it, and an instrument thins toward the hand (as the shadow map draws it). [m], three a triangle
+std::vector<Vec3> shadowTriangles(const Shape& half);
 /// Where a half stands for an opening of 0 to 1.
 Pose halfPose(const Instrument&, int half, double jaw, const Pose& tool);   // jaw [1]
 

@@ -163,31 +163,4 @@ OperatingField makeOperatingField(const FieldPlace& place, int size) {
   return field;
 }
 
-ShadowCells::ShadowCells(const FieldPlace& place) : place_(place), marked_(kFieldCells * kFieldCells) {
-  indices_.reserve(6u * kFieldCells * kFieldCells);
-}
-
-void ShadowCells::clear() { std::fill(marked_.begin(), marked_.end(), std::uint8_t{0}); }
-
-void ShadowCells::add(const Vec3& caster) {
-  constexpr double kReach = 9e-3;                        // [m] folds rise as far as that shifts a shadow; width of an instrument
-  const Vec3 lamp = lightDirection();
-  const double fall = (caster.z() - place_.centre.z()) / lamp.z();                             // [m] along the light
-  const Vec3 p = caster - fall * lamp - place_.centre + Vec3(kFieldHalfSize, kFieldHalfSize, 0);   // [m]
-  if (!(std::abs(p.x()) < 1.0 && std::abs(p.y()) < 1.0)) return;                               // far off, or not a number
-  const int last = kFieldCells - 1;
-  const int i1 = std::min(static_cast<int>(std::floor((p.x() + kReach) / kCell)), last);
-  const int j1 = std::min(static_cast<int>(std::floor((p.y() + kReach) / kCell)), last);
-  for (int j = std::max(static_cast<int>(std::floor((p.y() - kReach) / kCell)), 0); j <= j1; ++j)
-    for (int i = std::max(static_cast<int>(std::floor((p.x() - kReach) / kCell)), 0); i <= i1; ++i) marked_[j * kFieldCells + i] = 1;
-}
-
-const std::vector<std::uint32_t>& ShadowCells::indices() {
-  indices_.clear();
-  for (int j = 0; j < kFieldCells; ++j)
-    for (int i = 0; i < kFieldCells; ++i)
-      if (marked_[j * kFieldCells + i] && !underOrgan(i, j, place_)) addCell(i, j, indices_);
-  return indices_;
-}
-
 }  // namespace halsted::render

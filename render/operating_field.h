@@ -22,18 +22,4 @@ struct OperatingField {
 
 OperatingField makeOperatingField(const FieldPlace&, int pictureSize);
 
-/// Which cells of the grid the lamp's shadows may fall on: only these are drawn again each frame. Never allocates after the first use.
-class ShadowCells {
- public:
-  explicit ShadowCells(const FieldPlace&);
-  void clear();
-  void add(const Vec3& caster);              // [m] a point of something that casts a shadow
-  const std::vector<std::uint32_t>& indices();   // triangles of the marked cells
-
- private:
-  FieldPlace place_;
-  std::vector<std::uint8_t> marked_;
-  std::vector<std::uint32_t> indices_;
-};
-
 }  // namespace halsted::render

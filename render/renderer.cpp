@@ -13,6 +13,7 @@
 #include "render/instruments.h"
 #include "render/operating_field.h"
 #include "render/shaders.h"
+#include "render/shadow_cells.h"
 #include "render/shadow_map.h"
 #include "render/tissue_surface.h"
 
@@ -45,7 +46,10 @@ struct Renderer::Parts {
   CameraView backdropView;
   bool backdropDrawn = false;
   FieldPlace place;
-  ShadowCells shadowCells;
+  std::unique_ptr<ShadowCells> shadowCells;
+  std::vector<std::array<int, 3>> casters;                // triangles of particles
+  std::vector<CapsuleShape> rodsAsLines;
+  double needleReach;                                     // [m] from the middle of its arc
   Buffer shadowIndices = makeBuffer();
   Program field = programOf(kRigidVertex, kFieldFragment), fieldBare = programOf(kRigidVertex, kFieldBareFragment);
   Program steel = programOf(kRigidVertex, kSteelFragment);
@@ -54,15 +58,18 @@ struct Renderer::Parts {
   Program rigidDepth = programOf(kRigidVertex, kDepthFragment), instrumentDepth = programOf(kInstrumentDepthVertex, kDepthFragment);
   Program tubeDepth = programOf(kTubeVertex, kDepthFragment);
   ShadowMap shadow{kShadowSize};
-  Texture tissueImage, clothImage, reflection, fieldImage;
+  Texture tissueImage, reflection, fieldImage;
   GpuMesh ground, rods;
   TissueSurface tissue;
   Tube threadTube;
   GpuMesh thread, needle;
+  GpuIndices threadShadow;
   Holes holes;
   std::array<Instrument, kHands> instruments;
   std::array<std::array<GpuMesh, 2>, kHands> instrumentMeshes;
+  std::array<std::array<std::vector<Vec3>, 2>, kHands> instrumentShadows;   // [m]
   Matrix4 lamp, lampTexture;
+  double lampDepth;                                       // [m] that the shadow map covers
   double threadRadius;                                    // [m]
   std::size_t particles, threadNodes;
   HudDrawing hud;
@@ -72,6 +79,7 @@ struct Renderer::Parts {
   void drawInstruments(const RenderSnapshot&, const Program&) const;
   void drawShadows(const RenderSnapshot&) const;
   void drawBackdrop(const CameraView&, const Matrix4& view);
+  void markShadows(const RenderSnapshot&);
   void drawFieldShadows(const RenderSnapshot&, const CameraView&, const Matrix4& view);
   void drawWires(const RenderSnapshot&, const CameraView&, const Matrix4& view) const;
   void drawPicture(const RenderSnapshot&, const CameraView&);
@@ -81,27 +89,34 @@ struct Renderer::Parts {
 };
 
 Renderer::Parts::Parts(const RenderScene& scene, int w, int h)
-    : width(w), height(h), picture(w, h), backdrop(w, h), place(placeOf(scene)), shadowCells(place), tissue(scene, kTriangleBudget), threadTube(makeThread(scene.threadNodes)),
-      thread(uploadTube(threadTube)), needle(uploadTube(makeNeedle(scene.needle))), holes(scene.maxPunctures),
+    : width(w), height(h), picture(w, h), backdrop(w, h), place(placeOf(scene)), casters(scene.surface), rodsAsLines(scene.rods),
+      needleReach(scene.needle.radius + scene.needle.wireRadius), tissue(scene, kTriangleBudget), threadTube(makeThread(scene.threadNodes)),
+      thread(uploadTube(threadTube)), needle(uploadTube(makeNeedle(scene.needle))),
+      threadShadow(uploadOtherIndices(threadShadowIndices(scene.threadNodes))), holes(scene.maxPunctures),
       threadRadius(scene.threadRadius), particles(scene.tissueRest.size()),
       threadNodes(static_cast<std::size_t>(std::max(scene.threadNodes, 0))), hud(scene, w, h) {
   const OperatingField drapes = makeOperatingField(place, std::clamp(2 * h, 256, 1536));
   ground = uploadShape(drapes.shape);
+  shadowCells = std::make_unique<ShadowCells>(drapes.shape);
   glBindBuffer(GL_ARRAY_BUFFER, shadowIndices);          // not as indices yet: that would enter the bound vertex array
   glBufferData(GL_ARRAY_BUFFER, ground.count * static_cast<GLsizeiptr>(sizeof(std::uint32_t)), nullptr, GL_STREAM_DRAW);
   fieldImage = uploadImage(drapes.picture, Sampling::kOneLevel);
   tissueImage = uploadImage(makeTissueImage(512), Sampling::kTiles);
-  clothImage = uploadImage(makeClothImage(256), Sampling::kTiles);
-  reflection = uploadImage(makeReflectionImage(256), Sampling::kOneLevel);
+  reflection = uploadImage(makeReflectionImage(256), Sampling::kNearest);
   Shape rodShape;
   for (const CapsuleShape& rod : scene.rods) addRod(rodShape, rod);
   rods = uploadShape(rodShape);
   for (int hand = 0; hand < kHands; ++hand) {
-    instruments[hand] = makeInstrument(scene.tools[hand]);
-    for (int half = 0; half < 2; ++half) instrumentMeshes[hand][half] = uploadShape(instruments[hand].halves[half]);
+    instruments[hand] = makeInstrument(scene.tools[hand], scene.jaws[hand]);
+    for (int half = 0; half < 2; ++half) {
+      instrumentMeshes[hand][half] = uploadShape(instruments[hand].halves[half]);
+      instrumentShadows[hand][half] = shadowTriangles(instruments[hand].halves[half]);
+    }
   }
   const Vec3 middle = 0.5 * (place.centre + Vec3(place.centre.x(), place.centre.y(), 0.0));   // [m] between skin and rim
-  lamp = lampProjection(middle, std::max(0.085, 4.0 * place.radius));
+  const double lampRadius = std::max(0.085, 4.0 * place.radius);   // [m]
+  lampDepth = 4.0 * lampRadius;
+  lamp = lampProjection(middle, lampRadius);
   lampTexture = toTexture(lamp);
   frame = {width, height, std::vector<std::uint8_t>(4u * width * height)};
   glEnable(GL_DEPTH_TEST);
@@ -135,13 +150,17 @@ void Renderer::Parts::drawShadows(const RenderSnapshot& snapshot) const {
   CameraView none;
   shadow.begin();
   use(rigidDepth, lamp, none);
-  if (hasTissue(snapshot)) tissue.draw();
+  if (hasTissue(snapshot)) {
+    shadow.setBack(0.35e-3 / lampDepth);                              // [m] the drawn wall is that much finer than what casts its shadow
+    tissue.drawCoarse();
+    shadow.setBack(0.0);
+  }
   rods.draw();
   use(instrumentDepth, lamp, none);
   drawInstruments(snapshot, instrumentDepth);
   use(tubeDepth, lamp, none);
   glUniform1f(tubeDepth.pixelSize, 0.0f);
-  if (hasThread(snapshot)) thread.draw();
+  if (hasThread(snapshot)) thread.drawAs(threadShadow);
   glUniformMatrix4fv(tubeDepth.model, 1, GL_FALSE, matrixOf(snapshot.needle).data());
   needle.draw();
   shadow.end();
@@ -170,19 +189,28 @@ void Renderer::Parts::drawBackdrop(const CameraView& camera, const Matrix4& view
   backdropDrawn = true;
 }
 
-void Renderer::Parts::drawFieldShadows(const RenderSnapshot& snapshot, const CameraView& camera, const Matrix4& view) {
-  shadowCells.clear();
+void Renderer::Parts::markShadows(const RenderSnapshot& snapshot) {
+  shadowCells->clear();
   if (hasTissue(snapshot))
-    for (const Vec3& p : snapshot.tissue) shadowCells.add(p);
+    for (const auto& t : casters) shadowCells->add(snapshot.tissue[t[0]], snapshot.tissue[t[1]], snapshot.tissue[t[2]]);
   if (hasThread(snapshot))
-    for (const Vec3& p : snapshot.thread) shadowCells.add(p);
-  shadowCells.add(snapshot.needle.position);
-  for (const ToolView& tool : snapshot.tools)
-    for (double z = 0.0; z < 0.101; z += 4e-3) shadowCells.add(tool.pose.apply(Vec3(0.0, 0.0, z)));   // [m] up to where its shadow ends
+    for (std::size_t i = 1; i < threadNodes; ++i) shadowCells->add(snapshot.thread[i - 1], snapshot.thread[i], snapshot.thread[i]);
+  shadowCells->add(snapshot.needle.position, needleReach);
+  for (const CapsuleShape& rod : rodsAsLines)
+    for (double t = 0.0; t <= 1.0; t += 0.05) shadowCells->add(rod.a + t * (rod.b - rod.a), 1.5 * rod.radius);
+  for (int hand = 0; hand < kHands; ++hand)
+    for (int half = 0; half < 2; ++half) {
+      const Matrix4 stand = matrixOf(halfPose(instruments[hand], half, snapshot.tools[hand].jaw, snapshot.tools[hand].pose));
+      shadowCells->add(instrumentShadows[hand][half], stand.cast<double>());
+    }
+}
+
+void Renderer::Parts::drawFieldShadows(const RenderSnapshot& snapshot, const CameraView& camera, const Matrix4& view) {
+  markShadows(snapshot);
   use(field, view, camera);
   glEnable(GL_BLEND);
   glBlendFunc(GL_DST_COLOR, GL_ZERO);
-  ground.drawOnly(shadowCells.indices(), shadowIndices);
+  ground.drawOnly(shadowCells->indices(), shadowIndices);
   glDisable(GL_BLEND);
 }
 
@@ -205,21 +233,20 @@ void Renderer::Parts::drawWires(const RenderSnapshot& snapshot, const CameraView
 void Renderer::Parts::drawPicture(const RenderSnapshot& snapshot, const CameraView& camera) {
   const Matrix4 view = viewProjection(camera, static_cast<double>(width) / height);
   bindTexture(kReflectionUnit, reflection);
-  bindTexture(kDetailUnit, clothImage);
   drawBackdrop(camera, view);
-  picture.copyFrom(backdrop);
+ picture.copyFrom(backdrop);
   picture.bind();
 
   // Near things first: what they hide is not shaded.
   use(steel, view, camera);
   rods.draw();
   drawInstruments(snapshot, steel);
-  bindTexture(kSurfaceUnit, tissueImage);
+ bindTexture(kSurfaceUnit, tissueImage);
   use(tissueLook, view, camera);
   const double open = std::sqrt(std::clamp(snapshot.openingArea / std::max(tissue.openingAtRest(), 1e-9), 0.0, 1.0));   // [1]
   glUniform1f(tissueLook.open, static_cast<float>(open));
   if (hasTissue(snapshot)) tissue.draw();
-  drawFieldShadows(snapshot, camera, view);
+ drawFieldShadows(snapshot, camera, view);
   drawWires(snapshot, camera, view);
 }
 
@@ -235,7 +262,7 @@ const Frame& Renderer::draw(const RenderSnapshot& snapshot, const HudInput& hud,
     p.thread.stream(p.threadTube.vertices.data(), p.threadTube.vertices.size() * sizeof(TubeVertex));
   }
   p.holes.update(snapshot.punctures, snapshot.punctureCount, camera.eye, camera.up);
-  p.drawShadows(snapshot);
+ p.drawShadows(snapshot);
   p.drawPicture(snapshot, camera);
   if (hud.visible) p.hud.draw(snapshot, hud);
   p.picture.read(p.frame);

@@ -30,7 +30,11 @@ void ShadowMap::begin() const {
   glViewport(0, 0, size_, size_);
   glClear(GL_DEPTH_BUFFER_BIT);
   glEnable(GL_POLYGON_OFFSET_FILL);          // no surface shadows itself
-  glPolygonOffset(1.6f, 4.0f);
+  setBack(0.0);
+}
+
+void ShadowMap::setBack(double share) const {
+  glPolygonOffset(1.6f, 4.0f + static_cast<float>(share * (1 << 24)));
 }
 
 void ShadowMap::end() const {

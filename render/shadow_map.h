@@ -8,6 +8,7 @@ class ShadowMap {
  public:
   explicit ShadowMap(int size);
   void begin() const;                        // draws go to the map until `end`
+  void setBack(double share) const;          // [1] of the depth it covers: what is drawn next casts its shadow from farther away
   void end() const;                          // the map is on its texture unit; bind a canvas next
 
  private:

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <map>
 #include <numbers>
 
 namespace halsted::render {
@@ -34,6 +36,24 @@ Corners gridOf(const Loft& loft) {
   return c;
 }
 
+/// Corners that are the same to the bit are one vertex: each is transformed once per frame and pass.
+class VertexPool {
+ public:
+  explicit VertexPool(Shape& shape) : shape_(shape) {}
+  void add(const ShapeVertex& vertex) {
+    const auto [found, fresh] = known_.try_emplace(vertex, static_cast<std::uint32_t>(shape_.vertices.size()));
+    if (fresh) shape_.vertices.push_back(vertex);
+    shape_.indices.push_back(found->second);
+  }
+
+ private:
+  struct ByBits {
+    bool operator()(const ShapeVertex& a, const ShapeVertex& b) const { return std::memcmp(&a, &b, sizeof a) < 0; }
+  };
+  Shape& shape_;
+  std::map<ShapeVertex, std::uint32_t, ByBits> known_;
+};
+
 std::uint8_t encode(double linear) { return static_cast<std::uint8_t>(std::lround(255.0 * std::sqrt(std::clamp(linear, 0.0, 1.0)))); }
 
 }  // namespace
@@ -47,6 +67,7 @@ void addLoft(Shape& shape, const Loft& loft) {
     face[t] = (c.points[q] - c.points[p]).cross(c.points[r] - c.points[p]);
     for (int v : c.triangles[t]) around[v].push_back(static_cast<int>(t));
   }
+  VertexPool pool(shape);
   for (std::size_t t = 0; t < c.triangles.size(); ++t) {
     const Vec3 own = face[t].normalized();
     for (int v : c.triangles[t]) {
@@ -65,8 +86,7 @@ void addLoft(Shape& shape, const Loft& loft) {
       vertex.uv[0] = static_cast<float>(side) / static_cast<float>(loft.sides);
       vertex.uv[1] = static_cast<float>(c.points[v].z());
       vertex.color[3] = 255;
-      shape.indices.push_back(static_cast<std::uint32_t>(shape.vertices.size()));
-      shape.vertices.push_back(vertex);
+      pool.add(vertex);
     }
   }
 }

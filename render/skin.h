@@ -42,6 +42,7 @@ class SkinPose {
  public:
   explicit SkinPose(const Skin&);
   void update(const Skin&, const std::vector<Vec3>& particles);              // [m]
+  const std::vector<float>& particles() const { return particles_; }                // [m] x, y, z, 0
   const float* point(std::uint32_t row) const { return &points_[4 * row]; }        // [m]
   const float* normal(std::uint32_t slot) const { return &normals_[4 * slot]; }    // [1]
 

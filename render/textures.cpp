@@ -107,19 +107,6 @@ Image makeTissueImage(int size) {
   });
 }
 
-Image makeClothImage(int size) {
-  return fill(size, [&](int x, int y) -> std::array<double, 4> {
-    const double u = static_cast<double>(x) / size, v = static_cast<double>(y) / size;     // [1]
-    const double fuzz = fractalNoise(32 * u, 32 * v, 1.0, 3, 32);                          // [1]
-    const bool over = ((x * 64 / size) + (y * 64 / size)) % 2 == 0;                        // plain weave
-    const double weave = over ? bulge(64 * v) : bulge(64 * u);                             // [1]
-    const double gauze = std::max(std::pow(bulge(24 * u + 0.2 * fuzz), 6), std::pow(bulge(24 * v + 0.2 * fuzz), 6));   // [1]
-    const double streak = 0.5 * noise(64 * u, 4 * v, 3.0, 64) + 0.5 * noise(128 * u, 8 * v, 5.0, 128);   // [1]
-    const double lobes = bulge(fractalNoise(8 * u, 8 * v, 8.0, 3, 8) * 4.0);               // [1]
-    return {0.72 + 0.2 * weave + 0.16 * (fuzz - 0.5), 0.55 + 0.35 * gauze + 0.3 * (fuzz - 0.5), streak, lobes};
-  });
-}
-
 Image makeReflectionImage(int size) {
   return fill(size, [&](int x, int y) -> std::array<double, 4> {
     const double u = 2.0 * (x + 0.5) / size - 1.0, v = 2.0 * (y + 0.5) / size - 1.0;       // [1] sphere map: n = (u, v, n_z)

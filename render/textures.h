@@ -11,7 +11,6 @@ struct Image {
 };
 
 Image makeTissueImage(int size);      // r mottling, g fine vessels, b bumps, a gloss
-Image makeClothImage(int size);       // r woven drape, g gauze, b streaks of brushed steel, a fat lobules
 /// What a mirror sees in each direction of the operating theatre, as a sphere map; colour = 4 rgb^2.
 Image makeReflectionImage(int size);
 

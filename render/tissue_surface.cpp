@@ -87,7 +87,7 @@ Look lookOf(const SkinCorner& corner, const Vec3& rest, const RestShape& shape) 
 
 TissueSurface::TissueSurface(const RenderScene& scene, std::size_t triangleBudget)
     : skin_(buildSkin(scene.surface, scene.triangleLayer, scene.surfaceUv, scene.tissueRest.size(), triangleBudget)),
-      pose_(skin_), mesh_{makeArray(), makeBuffer(), {}, 0}, looks_(makeBuffer()), stream_(6 * skin_.corners.size()) {
+      pose_(skin_), mesh_{makeArray(), makeBuffer(), {}, 0}, coarse_{makeArray(), makeBuffer(), {}, 0}, looks_(makeBuffer()), stream_(6 * skin_.corners.size()) {
   pose_.update(skin_, scene.tissueRest);
   const RestShape rest = restShape(scene);
   openingAtRest_ = std::numbers::pi * rest.radius * rest.radius;
@@ -106,6 +106,13 @@ TissueSurface::TissueSurface(const RenderScene& scene, std::size_t triangleBudge
   std::vector<std::uint32_t> indices;
   for (const auto& t : skin_.triangles) indices.insert(indices.end(), t.begin(), t.end());
   uploadIndices(mesh_, indices);
+
+  glBindVertexArray(coarse_.array);
+  describe(coarse_.vertices, 4 * sizeof(float), {{0, 3, 0}});
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(pose_.particles().size() * sizeof(float)), nullptr, GL_STREAM_DRAW);
+  indices.clear();
+  for (const auto& t : scene.surface) indices.insert(indices.end(), t.begin(), t.end());
+  uploadIndices(coarse_, indices);
 }
 
 void TissueSurface::update(const std::vector<Vec3>& particles) {
@@ -115,6 +122,7 @@ void TissueSurface::update(const std::vector<Vec3>& particles) {
     std::copy_n(pose_.normal(skin_.corners[i].normalSlot), 3, &stream_[6 * i + 3]);
   }
   mesh_.stream(stream_.data(), stream_.size() * sizeof(float));
+  coarse_.stream(pose_.particles().data(), pose_.particles().size() * sizeof(float));
 }
 
 }  // namespace halsted::render

@@ -60,6 +60,17 @@ Tube makeThread(int nodes) {
   return tube;
 }
 
+std::vector<std::uint32_t> threadShadowIndices(int nodes) {
+  constexpr int kRow = Tube::kSides + 1;
+  std::vector<std::uint32_t> indices;
+  for (int i = 0; i + 1 < nodes; ++i)
+    for (int k = 0; k < Tube::kSides; k += 2) {
+      const auto at = [&](int di, int dk) { return static_cast<std::uint32_t>((i + di) * kPerSegment * kRow + k + dk); };
+      indices.insert(indices.end(), {at(0, 0), at(0, 2), at(1, 2), at(0, 0), at(1, 2), at(1, 0)});
+    }
+  return indices;
+}
+
 void updateThread(const std::vector<Vec3>& nodes, const std::vector<double>& twist, double radius, Tube& tube) {
   const int count = static_cast<int>(nodes.size()), rings = (count - 1) * kPerSegment + 1;
   if (count < 2 || tube.vertices.size() != static_cast<std::size_t>(rings) * (Tube::kSides + 1)) return;

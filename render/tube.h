@@ -23,6 +23,9 @@ Tube makeThread(int nodes);
 /// Catmull-Rom through `nodes`, frames transported without spin (Bishop 1975) and turned by `twist` [rad].
 void updateThread(const std::vector<Vec3>& nodes, const std::vector<double>& twist, double radius, Tube&);   // [m]
 
+/// Three sides from node to node: enough for the shadow of a thread, at a sixth of the triangles.
+std::vector<std::uint32_t> threadShadowIndices(int nodes);
+
 /// The needle in its own frame: swage, round body, tapered tip.
 Tube makeNeedle(const NeedleShape&);
 

@@ -94,6 +94,11 @@ struct RenderSnapshot {
 /// What never changes while a scene runs; handed to the renderer once.
 enum class ToolKind : std::uint8_t { kNeedleDriver, kForceps };
 
+struct JawShape {                            // of one tool, as it is simulated
+  double length = 12e-3, radius = 1.2e-3;    // [m] from hinge to tip; of each jaw
+  double openAngle = 0.4363323129985824;     // [rad] between the jaws, fully open: 25 degrees
+};
+
 struct NeedleShape {                         // arc in the needle frame's x-y plane, centre at the origin: r (cos t, sin t, 0)
   double radius = 0.0;                       // [m] of the arc
   double angle = 0.0;                        // [rad] swept; t = 0 is the swage, t = angle the tip
@@ -115,6 +120,7 @@ struct RenderScene {
   NeedleShape needle;
   std::vector<CapsuleShape> rods;            // fixed rods (the anvil)
   std::array<ToolKind, kHands> tools{ToolKind::kForceps, ToolKind::kNeedleDriver};
+  std::array<JawShape, kHands> jaws;
   CameraView camera;
   std::vector<std::string> instructions;     // one per procedure step
   std::vector<std::string> stepIds;

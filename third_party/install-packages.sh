@@ -9,6 +9,7 @@ packages="
   libosmesa6-dev libgl-dev libglfw3-dev libimgui-dev fonts-dejavu-core
   libspdlog-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
   libsqlite3-dev libpng-dev ffmpeg
+  pkg-config libusb-1.0-0-dev umockdev libumockdev-dev
   libgtest-dev libgmock-dev libbenchmark-dev
   clang libclang-rt-14-dev
   xvfb

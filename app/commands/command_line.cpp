@@ -18,12 +18,14 @@ const char* const kExamples =
     "  halsted replay run.halsted --verify                        the same bits, step by step\n"
     "  halsted capture run.halsted --video run.mp4 --out frames --at 5,20,60\n"
     "  halsted bench --json                                       what a step costs here\n"
+    "  halsted devices                                            which haptic devices are attached, and what keeps one from working\n"
     "Exit codes: 0 done, 1 a check failed, 2 bad usage or input, 3 a device or system fault.";
 
 struct CommandLine {
   PlayOptions play;
   FrameOptions frames;
   BenchOptions bench;
+  DevicesOptions devices;
   TrainOptions train;
   SurveyOptions survey;
   bool scenesJson = false;
@@ -72,8 +74,9 @@ void addTrain(CLI::App& app, CommandLine& line) {
   TrainOptions& train = line.train;
   CLI::App* command = app.add_subcommand("train", "a session in real time, two hands, in a window");
   command->add_option("SCENE", train.scene, "a scene's name (see `halsted scenes`) or its folder")->required();
-  command->add_option("--left", train.left, "device of the left hand: virtual (holds still), mouse, script:FILE (default virtual)");
-  command->add_option("--right", train.right, "device of the right hand (default mouse; virtual with --headless)");
+  command->add_option("--left", train.left, "device of the left hand: virtual (holds still), mouse, script:FILE, falcon[:SERIAL], open[:SERIAL], vendor[:NAME] (default: the second device attached, else virtual)");
+  command->add_option("--right", train.right, "device of the right hand (default: the first device attached, else mouse, or virtual with --headless)");
+  command->add_option("--firmware", train.firmware, "firmware file for a Falcon that has none (or HALSTED_FALCON_FIRMWARE)");
   command->add_option("--set", train.overrides, "key=value: override a parameter of the scene; may be repeated")->allow_extra_args(false);
   command->add_option("--trainee", train.trainee, "name kept in the recording");
   command->add_option("--record", train.record, "write a session file");
@@ -85,6 +88,14 @@ void addTrain(CLI::App& app, CommandLine& line) {
   command->footer("In the window: mouse moves the hand, wheel nearer and farther, right drag turns, left button or space closes the\n"
                   "jaws, F1 help, Esc ends.\n"
                   "Example: halsted train purse_string --headless --seconds 10 --json");
+}
+
+void addDevices(CLI::App& app, CommandLine& line) {
+  CLI::App* command = app.add_subcommand("devices", "which haptic devices are attached, what can drive them, and why not");
+  command->add_option("--test", line.devices.test, "a bounded force check on one: falcon, open, vendor or virtual, like --left of train");
+  command->add_option("--firmware", line.devices.firmware, "firmware file for a Falcon that has none (or HALSTED_FALCON_FIRMWARE)");
+  command->add_flag("--json", line.devices.json, "print JSON");
+  command->footer("The check pushes with 0.8 N along each axis while you hold the grip loosely.\nExample: halsted devices --test falcon");
 }
 
 void addBench(CLI::App& app, CommandLine& line) {
@@ -117,6 +128,7 @@ int dispatch(const CLI::App& app, CommandLine& line) {
   if (app.got_subcommand("capture")) return capture(line.play, line.frames);
   if (app.got_subcommand("bench")) return bench(line.bench);
   if (app.got_subcommand("survey")) return scoreSurvey(line.survey);
+  if (app.got_subcommand("devices")) return devices(line.devices);
   return train(line.train);
 }
 
@@ -139,6 +151,7 @@ int runCommandLine(int argc, char** argv) {
   addCapture(app, line);
   addBench(app, line);
   addSurvey(app, line);
+  addDevices(app, line);
   try {
     app.parse(argc, argv);
     return dispatch(app, line);

@@ -15,11 +15,18 @@ struct BenchOptions {
   bool json = false;
 };
 
+struct DevicesOptions {
+  std::string test;                            // the device to push: falcon, open, vendor, virtual, with a name; empty: list only
+  std::string firmware;                        // file for a Falcon that has none
+  bool json = false;
+};
+
 struct TrainOptions {
   std::string scene;
   std::vector<std::string> overrides;          // --set
   std::string left, right;                     // devices; empty: the default
   std::string trainee, record;
+  std::string firmware;                        // --firmware, for a Falcon that has none
   bool headless = false, json = false, verbose = false;
   double seconds = 0.0;                        // [s] 0: until the user ends it
   int width = 1280, height = 720;              // pixels
@@ -38,6 +45,7 @@ int scoreSurvey(const SurveyOptions&);
 int replay(const PlayOptions&);
 int capture(const PlayOptions&, const FrameOptions&);
 int bench(const BenchOptions&);
+int devices(const DevicesOptions&);
 int train(const TrainOptions&);
 
 /// Parses the command line, runs the command, turns exceptions into one line on standard error.

@@ -82,7 +82,8 @@ std::string liveMembers(const LiveOutcome& outcome) {
                     {"skipped_periods", outcome.haptic.skippedPeriods},
                     {"page_faults", outcome.haptic.usage.pageFaults},
                     {"realtime_priority", outcome.haptic.realtime}};
-  json["physics"] = {{"rate_hz", rate(outcome.physics.steps, outcome.physics.seconds)}, {"late_steps", outcome.physics.lateSteps}};
+  json["physics"] = {{"rate_hz", rate(outcome.physics.steps, outcome.physics.seconds)}, {"late_steps", outcome.physics.lateSteps},
+                     {"paused_s", outcome.physics.pausedSeconds}};
   json["render"] = {{"fps", rate(outcome.render.frames, outcome.render.seconds)}, {"frame_ms", {{"p50", frame.p50}, {"p99", frame.p99}}}};
   json["recorder"] = {{"steps", outcome.recorder.stepsRecorded}, {"dropped_records", outcome.recorder.dropped}};
   const std::string text = json.dump();
@@ -112,12 +113,24 @@ LiveOptions liveOptions(const TrainOptions& options) {
   return live;
 }
 
+/// What was asked for. Where nothing was, hardware that is attached: the first for the right hand, the second for the left.
+std::array<DeviceChoice, kHands> chosenDevices(const TrainOptions& options) {
+  std::string left = options.left, right = options.right;
+  if (left.empty() && right.empty()) {
+    const std::vector<std::string> attached = attachedHardware();
+    if (!attached.empty()) right = attached[0];
+    if (attached.size() > 1) left = attached[1];
+  }
+  std::array<DeviceChoice, kHands> devices{parseDevice("--left", left.empty() ? "virtual" : left),
+                                           parseDevice("--right", !right.empty() ? right : options.headless ? "virtual" : "mouse")};
+  for (DeviceChoice& device : devices) device.hardware.firmware = options.firmware;
+  return devices;
+}
+
 }  // namespace
 
 int train(const TrainOptions& options) {
-  const std::array<DeviceChoice, kHands> devices{
-      parseDevice("--left", options.left.empty() ? "virtual" : options.left),
-      parseDevice("--right", !options.right.empty() ? options.right : options.headless ? "virtual" : "mouse")};
+  const std::array<DeviceChoice, kHands> devices = chosenDevices(options);
   const Scenario scenario = scenarioFromScene(options.scene, options.overrides, devices);
   setUpLog(options.verbose);
   std::unique_ptr<Window> window;

@@ -40,10 +40,20 @@ void reportFaults(const Hand& hand, int index, std::uint64_t tick, std::uint32_t
   const std::uint32_t fresh = hand.output.faults & ~before & haptics::kFaultCutMask;
   if (fresh == 0) return;
   links.hapticNotices.push({NoticeKind::kHandFault, tick, static_cast<std::int64_t>(fresh) << 8 | index});
-  if (!(fresh & haptics::kFaultDeviceGone)) return;
+  if (!(fresh & haptics::kFaultDeviceGone) || hand.device->mayReturn()) return;
   links.hapticNotices.push({NoticeKind::kDeviceGone, tick, index});
   links.goneHand.store(index);
   links.stop.store(true);
+}
+
+/// While a device that may come back is away, the session waits: physics takes no step until it is there again.
+void pauseOrResume(const Hand& hand, int index, std::uint64_t tick, Links& links) noexcept {
+  const std::uint32_t bit = 1u << index, paused = links.pausedHands.load(std::memory_order_relaxed);
+  const bool away = (hand.output.faults & haptics::kFaultDeviceGone) && hand.device->mayReturn();
+  if (away == ((paused & bit) != 0)) return;
+  links.pausedHands.store(paused ^ bit, std::memory_order_release);
+  const auto problem = static_cast<std::int64_t>(hand.device->status().problem);
+  links.hapticNotices.push({away ? NoticeKind::kDevicePaused : NoticeKind::kDeviceBack, tick, problem << 8 | index});
 }
 
 void tickHands(Hands& hands, const std::array<Mover, kHands>& movers, std::uint64_t tick, Links& links, HapticOutcome& outcome) noexcept {
@@ -59,6 +69,7 @@ void tickHands(Hands& hands, const std::array<Mover, kHands>& movers, std::uint6
     outcome.maxForce = std::max(outcome.maxForce, hand.output.force.norm());
     stale = stale || hand.output.stale;
     reportFaults(hand, i, tick, before, links);
+    pauseOrResume(hand, i, tick, links);
   }
   links.samples.publish();
   outcome.staleTicks += stale;
@@ -124,6 +135,11 @@ void runHaptic(Hands& hands, const std::array<Mover, kHands>& movers, Links& lin
   outcome.usage = {after.pageFaults - before.pageFaults, after.voluntarySwitches - before.voluntarySwitches};
   outcome.skippedPeriods = schedule.skipped;
   outcome.seconds = static_cast<double>(monotonicNow() - start) * 1e-9;
+}
+
+void runDevice(haptics::Device& device, const std::atomic<bool>& stop) noexcept {
+  becomeRealtime(kDevicePriority);
+  device.serve(stop);
 }
 
 void runBareLoop(const std::atomic<bool>& stop, Durations& lateness) noexcept {

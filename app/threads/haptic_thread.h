@@ -22,6 +22,9 @@ struct HapticOutcome {
 /// Runs until `links.stop`. Haptic thread. `movers` says whose target moves each hand.
 void runHaptic(Hands&, const std::array<Mover, kHands>& movers, Links&, HapticOutcome&) noexcept;
 
+/// The thread of a device behind a cable, until `stop`: its transfers, and everything about it that may wait.
+void runDevice(haptics::Device&, const std::atomic<bool>& stop) noexcept;
+
 /// The same wake-ups without the work: what this machine can do at this load.
 void runBareLoop(const std::atomic<bool>& stop, Durations& lateness) noexcept;
 

@@ -22,11 +22,11 @@ struct StepRecord {
 };
 
 /// Something worth a line in the log, in codes; the recorder puts it into words.
-enum class NoticeKind : std::uint8_t { kNoRealtimePriority, kMemoryNotLocked, kSkippedPeriods, kHandFault, kDeviceGone, kScriptEnded };
+enum class NoticeKind : std::uint8_t { kNoRealtimePriority, kMemoryNotLocked, kSkippedPeriods, kHandFault, kDeviceGone, kDevicePaused, kDeviceBack, kScriptEnded };
 struct Notice {
   NoticeKind kind = NoticeKind::kSkippedPeriods;
   std::uint64_t when = 0;                      // tick or step of the thread that noticed
-  std::int64_t value = 0;                      // periods, hand, fault bits: by kind
+  std::int64_t value = 0;                      // periods, hand, fault bits, hand | problem << 8: by kind
 };
 
 /// For the panel: the status and how late the worst of the last hundred ticks was, which is about the 99th percentile.
@@ -60,6 +60,7 @@ struct Links {
 
   std::atomic<bool> stop{false};                                 // any thread may ask all to end
   std::atomic<bool> helpVisible{false};                          // main -> render
+  std::atomic<std::uint32_t> pausedHands{0};                     // haptic -> physics: one bit a hand whose device is away for a while
   std::atomic<int> goneHand{-1};                                 // haptic -> main: the device that vanished
   std::atomic<bool> scriptsEnded{false};                         // physics -> main
 };

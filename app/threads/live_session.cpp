@@ -46,13 +46,15 @@ void LiveSession::start() {
   recorder_ = std::thread([this] { runRecorder(writer_.get(), links_, finishRecording_, outcome_.recorder); });
   render_ = std::thread([this] { runRender(scene_, options_.render, scenario_.model.params.dt, links_, outcome_.render); });
   physics_ = std::thread([this] { runPhysics(scenario_, state_, links_, outcome_.physics); });
+  for (int hand = 0; hand < kHands; ++hand)
+    if (hands_[hand].device->served()) service_[hand] = std::thread([this, hand] { runDevice(*hands_[hand].device, links_.stop); });
   haptic_ = std::thread([this, movers] { runHaptic(hands_, movers, links_, outcome_.haptic); });
   if (options_.measureBareLoop) bare_ = std::thread([this] { runBareLoop(links_.stop, outcome_.bareLateness); });
 }
 
 const LiveOutcome& LiveSession::stop() {
   links_.stop.store(true);
-  for (std::thread* thread : {&haptic_, &physics_, &render_, &bare_})
+  for (std::thread* thread : {&haptic_, &service_[kLeft], &service_[kRight], &physics_, &render_, &bare_})
     if (thread->joinable()) thread->join();
   finishRecording_.store(true);
   if (!recorder_.joinable()) return outcome_;

@@ -1,5 +1,6 @@
 #pragma once
 /// A scenario in real time: starts the four threads, and ends them so that nothing is lost. Main thread.
+///   device   transfers of a device behind a cable
 ///   haptic   1 kHz servo loop        physics  fixed dt            render  newest snapshot        recorder  log and session file
 #include <memory>
 #include <string>
@@ -56,6 +57,7 @@ class LiveSession {
   std::atomic<bool> finishRecording_{false};
   LiveOutcome outcome_;
   std::thread haptic_, physics_, render_, recorder_, bare_;
+  std::array<std::thread, kHands> service_;    // one for each device behind a cable
 };
 
 }  // namespace halsted::app

@@ -86,7 +86,12 @@ void runPhysics(const Scenario& scenario, State& state, Links& links, PhysicsOut
   const Nanoseconds start = monotonicNow();
   Clock clock{start, static_cast<Nanoseconds>(dt * 1e9 + 0.5)};
   while (!links.stop.load(std::memory_order_relaxed)) {
-    outcome.lateSteps += clock.wait();
+    const std::uint64_t lost = clock.wait();
+    if (links.pausedHands.load(std::memory_order_acquire) != 0) {
+      outcome.pausedSeconds += dt * static_cast<double>(lost + 1);   // simulated time stands still
+      continue;
+    }
+    outcome.lateSteps += lost;
     physics.takeInput();
     const Nanoseconds before = monotonicNow();
     step(scenario.model, physics.record.input, state, physics.output);

@@ -8,6 +8,7 @@ namespace halsted::app {
 
 struct PhysicsOutcome {
   std::uint64_t steps = 0, lateSteps = 0;
+  double pausedSeconds = 0.0;                  // [s] that a device was away and the simulation stood still
   double seconds = 0.0;                        // [s] from first to last step
   Durations stepTimes;
   std::string failure;                         // of a script; empty: none

@@ -9,7 +9,7 @@ using Nanoseconds = std::int64_t;
 Nanoseconds monotonicNow() noexcept;
 void sleepUntil(Nanoseconds) noexcept;         // CLOCK_MONOTONIC, absolute: a late wake-up does not move the next one
 
-inline constexpr int kHapticPriority = 80, kPhysicsPriority = 70;
+inline constexpr int kHapticPriority = 80, kDevicePriority = 78, kPhysicsPriority = 70;
 
 /// First-in first-out scheduling and a timer without slack for the calling thread; false when the system does not permit it.
 bool becomeRealtime(int priority) noexcept;

@@ -30,6 +30,12 @@ void log(const Notice& notice, const char* thread) {
       spdlog::warn("haptic tick {}: {} hand: {}", notice.when, handName(notice.value & 0xff), faultNames(static_cast<std::uint32_t>(notice.value >> 8)));
       break;
     case NoticeKind::kDeviceGone: spdlog::error("haptic tick {}: the {} device is gone", notice.when, handName(notice.value)); break;
+    case NoticeKind::kDevicePaused: {
+      const auto problem = static_cast<haptics::DeviceProblem>(notice.value >> 8);
+      spdlog::warn("the {} device is away ({}): the session waits. {}", handName(notice.value & 0xff), haptics::problemText(problem), haptics::remedyText(problem));
+      break;
+    }
+    case NoticeKind::kDeviceBack: spdlog::warn("the {} device is back: the session goes on", handName(notice.value & 0xff)); break;
     case NoticeKind::kScriptEnded: spdlog::info("step {}: the script has ended", notice.when); break;
   }
 }

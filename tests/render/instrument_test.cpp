@@ -33,6 +33,20 @@ TEST_P(EveryInstrument, OpensAsFarAsTheSimulatedJaws) {
   EXPECT_NEAR(tipGap(makeInstrument(GetParam()), 1.0), 5.2e-3, 0.5e-3);
 }
 
+TEST_P(EveryInstrument, HasTheJawsOfTheScene) {
+  const double angle = 40.0 * std::numbers::pi / 180.0;  // [rad]
+  const Instrument plain = makeInstrument(GetParam()), longer = makeInstrument(GetParam(), {18e-3, 1.8e-3, angle});
+  EXPECT_NEAR(tipGap(longer, 1.0), 2.0 * 18e-3 * std::sin(0.5 * angle), 0.6e-3);
+  EXPECT_NEAR(tipGap(longer, 0.0), 0.0, 0.2e-3);
+  EXPECT_NEAR(longer.hinge - plain.hinge, 6e-3, 1e-9);
+  const auto end = [](const Instrument& tool) {          // [m] how far it reaches up the shaft
+    float high = 0.0f;                                   // [m]
+    for (const ShapeVertex& v : tool.halves[0].vertices) high = std::max(high, v.position[2]);
+    return high;
+  };
+  EXPECT_NEAR(end(longer) - end(plain), 6e-3f, 1e-5f);
+}
+
 TEST_P(EveryInstrument, OpensMonotonically) {
   const Instrument tool = makeInstrument(GetParam());
   for (double jaw = 0.1; jaw <= 1.0; jaw += 0.1) EXPECT_GT(tipGap(tool, jaw), tipGap(tool, jaw - 0.1));

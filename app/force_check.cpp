@@ -1,0 +1,117 @@
+#include "app/force_check.h"
+
+#include <atomic>
+#include <thread>
+
+#include "app/threads/haptic_thread.h"
+#include "haptics/hand_loop.h"
+
+namespace halsted::app {
+namespace {
+
+constexpr double kPush = 0.8;                  // [N] below what the weakest of these devices can hold for ever
+constexpr double kTooFast = 0.3, kTooFar = 40e-3;   // [m/s] [m] the grip runs away: nobody holds it
+constexpr int kRest = 500, kRamp = 100, kHold = 300, kSettle = 400;   // ticks
+constexpr double kLeastMove = 0.1e-3;          // [m]
+constexpr double kLeastCosine = 0.7;           // [1] of the angle between push and motion
+
+struct Bench {
+  haptics::Device& device;
+  ForceCheck& check;
+  haptics::HandLoopConfig config;
+  haptics::HandLoopState state;
+  haptics::HandLoopOutput output;
+  LocalContact contact;
+  HandTarget still;
+  std::uint64_t tick = 0, step = 0;
+  Nanoseconds next = monotonicNow();
+
+  void advance(const Vec3& force) {            // [N]
+    next += 1'000'000;
+    sleepUntil(next);
+    contact.step = ++step;
+    contact.touching = true;
+    contact.force = force;
+    contact.damping = Mat3::Identity() * 2.0;
+    const Vec3 before = output.sample.pose.position;
+    haptics::tick(device, config, contact, still, ++tick, state, output);
+    check.newReadings += output.sample.pose.position != before;
+    ++check.ticks;
+  }
+  Vec3 position() const { return output.sample.pose.position; }
+};
+
+bool waitUntilReady(Bench& bench, double patience) {  // [s]
+  const Nanoseconds until = monotonicNow() + static_cast<Nanoseconds>(patience * 1e9);
+  while (monotonicNow() < until) {
+    bench.advance(Vec3::Zero());
+    if (!(bench.output.faults & (haptics::kFaultDeviceGone | haptics::kFaultDeviceSilent))) return true;
+  }
+  return false;
+}
+
+/// Mean position over the rest, and how far single readings stray.
+Vec3 restingPlace(Bench& bench) {
+  std::vector<Vec3> places;
+  Vec3 mean = Vec3::Zero();
+  for (int i = 0; i < kRest; ++i) {
+    bench.advance(Vec3::Zero());
+    places.push_back(bench.position());
+    mean += bench.position() / kRest;
+  }
+  for (const Vec3& place : places) bench.check.restNoise = std::max(bench.check.restNoise, (place - mean).norm());
+  return mean;
+}
+
+bool pushOnce(Bench& bench, Push& push) {
+  const Vec3 from = bench.position();
+  for (int i = 0; i < kRamp + kHold; ++i) {
+    bench.advance(push.force * std::min(1.0, static_cast<double>(i) / kRamp));
+    ForceCheck& check = bench.check;
+    check.largestForce = std::max(check.largestForce, bench.output.force.norm());
+    check.largestSpeed = std::max(check.largestSpeed, bench.state.velocity.norm());
+    check.faults |= bench.output.faults & haptics::kFaultCutMask;
+    const Vec3 moved = bench.position() - from;
+    if (moved.dot(push.force) > push.moved.dot(push.force)) push.moved = moved;   // a hand gives way first, then resists
+    if (check.largestSpeed > kTooFast || moved.norm() > kTooFar || check.faults != 0) return false;
+  }
+  const double length = push.moved.norm();     // [m]
+  push.right = length > kLeastMove && push.moved.dot(push.force) > kLeastCosine * length * push.force.norm();
+  for (int i = 0; i < kSettle; ++i) bench.advance(Vec3::Zero());
+  return true;
+}
+
+void pushAllWays(Bench& bench) {
+  static const char* const kNames[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
+  restingPlace(bench);
+  bool all = true;
+  for (int way = 0; way < 6 && all; ++way) {
+    Push push;
+    push.axis = kNames[way];
+    push.force[way / 2] = way % 2 ? -kPush : kPush;
+    all = pushOnce(bench, push);
+    bench.check.pushes.push_back(push);
+  }
+  bench.check.passed = all;
+  for (const Push& push : bench.check.pushes) bench.check.passed = bench.check.passed && push.right;
+}
+
+}  // namespace
+
+ForceCheck checkForces(haptics::Device& device, double patience) {  // [s]
+  ForceCheck check;
+  std::atomic<bool> stop{false};
+  std::thread service;
+  if (device.served()) service = std::thread([&] { runDevice(device, stop); });
+  const Nanoseconds start = monotonicNow();
+  Bench bench{device, check, {}, {}, {}, {}, {}};
+  check.ready = waitUntilReady(bench, patience);
+  if (check.ready) pushAllWays(bench);
+  check.seconds = static_cast<double>(monotonicNow() - start) * 1e-9;
+  check.status = device.status();
+  stop.store(true);
+  if (service.joinable()) service.join();
+  return check;
+}
+
+}  // namespace halsted::app

@@ -1,0 +1,33 @@
+#pragma once
+/// The bounded force check of `halsted devices --test`: 0.8 N along each axis, and whether the grip went that way.
+/// The shipped tick with all its limits; main thread, with the device's own thread beside it.
+#include <string>
+#include <vector>
+
+#include "haptics/device.h"
+
+namespace halsted::app {
+
+struct Push {
+  std::string axis;                            // "+x", ...
+  Vec3 force = Vec3::Zero();                   // [N] asked for, device frame
+  Vec3 moved = Vec3::Zero();                   // [m] farthest that the grip gave way along the push
+  bool right = false;                          // it went where it was pushed
+};
+
+struct ForceCheck {
+  haptics::DeviceStatus status;                // at the end
+  std::vector<Push> pushes;
+  std::uint32_t faults = 0;                    // FaultCode bits seen while pushing, those that cut
+  double restNoise = 0.0;                      // [m] largest distance from the mean before the first push
+  double largestForce = 0.0;                   // [N] sent
+  double largestSpeed = 0.0;                   // [m/s]
+  std::uint64_t ticks = 0, newReadings = 0;    // readings whose pose differed from the one before
+  double seconds = 0.0;                        // [s]
+  bool ready = false, passed = false;
+};
+
+/// `patience` [s]: how long a device may take to be homed by its user. Stops early when the grip runs away.
+ForceCheck checkForces(haptics::Device&, double patience);
+
+}  // namespace halsted::app

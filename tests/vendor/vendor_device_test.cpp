@@ -1,0 +1,125 @@
+/// The vendor driver loads a libHD.so at run time: our own, which is the same interface over the virtual Touch, and one whose device
+/// breaks. Real time, since the vendor's library has its own thread; what is asserted is order and value, not punctuality.
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <thread>
+
+#include "haptics/hand_loop.h"
+#include "haptics/vendor/vendor_device.h"
+
+namespace halsted::haptics {
+namespace {
+
+class VendorTest : public ::testing::Test {
+ protected:
+  void use(const char* library, const char* fault = "") {
+    setenv("HALSTED_VENDOR_LIBHD", library, 1);
+    setenv("HALSTED_FAULTY_VENDOR", fault, 1);
+  }
+  void TearDown() override { unsetenv("HALSTED_VENDOR_LIBHD"); }
+
+  /// One tick of the hand that holds it, a millisecond of real time.
+  void tick(VendorDevice& device, const Vec3& force = Vec3::Zero()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    contact.step = ++index;
+    contact.touching = true;
+    contact.force = force;
+    haptics::tick(device, config, contact, {}, index, state, output);
+  }
+  template <typename Seen>
+  bool within(VendorDevice& device, int ticks, const Vec3& force, Seen&& seen) {
+    for (int i = 0; i < ticks; ++i) {
+      tick(device, force);
+      if (seen()) return true;
+    }
+    return false;
+  }
+  bool fault(std::uint32_t bit) const { return (output.faults & bit) != 0; }
+
+  HandLoopConfig config;
+  HandLoopState state;
+  HandLoopOutput output;
+  LocalContact contact;
+  std::uint64_t index = 0;
+};
+
+TEST_F(VendorTest, OurOwnLibraryIsDrivenAsTheVendorsOne) {
+  use(HALSTED_LIBHD);
+  auto opened = VendorDevice::open("");
+  ASSERT_TRUE(opened.device) << problemText(opened.problem);
+  VendorDevice& device = *opened.device;
+  EXPECT_EQ(device.library(), HALSTED_LIBHD);
+  EXPECT_EQ(device.model(), "Touch");
+  EXPECT_NEAR(device.limits().peakForce, 3.3, 1e-9);
+  EXPECT_NEAR(device.limits().continuousForce, 0.88, 1e-9);
+  ASSERT_TRUE(within(device, 3000, Vec3::Zero(), [&] { return !fault(kFaultDeviceSilent | kFaultDeviceGone); }));
+  const std::uint64_t before = device.servoTicks();
+  for (int i = 0; i < 300; ++i) tick(device);
+  EXPECT_GT(device.servoTicks(), before);
+  // The virtual hand holds the stylus; a force moves it the way it points.
+  const Vec3 rest = output.sample.pose.position;
+  EXPECT_TRUE(within(device, 3000, Vec3(1.2, 0.0, 0.0), [&] { return output.sample.pose.position.x() > rest.x() + 0.5e-3; }));
+}
+
+TEST_F(VendorTest, AMissingLibraryAndAnIncompleteOneAreToldApart) {
+  use("/nonexistent/libHD.so");
+  EXPECT_EQ(VendorDevice::open("").problem, DeviceProblem::kVendorLibraryMissing);
+  use("libm.so.6");
+  EXPECT_EQ(VendorDevice::open("").problem, DeviceProblem::kVendorLibraryUnusable);
+}
+
+TEST_F(VendorTest, AnUnknownNameIsRefusedByTheLibrary) {
+  use(HALSTED_LIBHD);
+  auto opened = VendorDevice::open("no such device");
+  EXPECT_FALSE(opened.device);
+  EXPECT_EQ(opened.problem, DeviceProblem::kVendorDeviceRefused);
+}
+
+TEST_F(VendorTest, NumbersThatAreNoneCutTheForceAndPassOver) {
+  use(HALSTED_FAULTY_VENDOR_LIBRARY, "nan");
+  auto opened = VendorDevice::open("");
+  ASSERT_TRUE(opened.device);
+  ASSERT_TRUE(within(*opened.device, 3000, Vec3(0.8, 0.0, 0.0), [&] { return fault(kFaultBadReading); }));
+  EXPECT_EQ(output.force.norm(), 0.0);
+  EXPECT_NEAR(output.sample.pose.position.z(), 0.030, 1e-12) << "the last good pose stands";
+  EXPECT_TRUE(within(*opened.device, 5000, Vec3(0.8, 0.0, 0.0), [&] { return output.force.norm() > 0.7; })) << "and it comes back";
+}
+
+TEST_F(VendorTest, ALostDeviceIsGoneWithZeroForce) {
+  use(HALSTED_FAULTY_VENDOR_LIBRARY, "lost");
+  auto opened = VendorDevice::open("");
+  ASSERT_TRUE(opened.device);
+  ASSERT_TRUE(within(*opened.device, 3000, Vec3(0.8, 0.0, 0.0), [&] { return fault(kFaultDeviceGone); }));
+  EXPECT_EQ(output.force.norm(), 0.0);
+  EXPECT_EQ(opened.device->status().problem, DeviceProblem::kTransferFailed);
+}
+
+TEST_F(VendorTest, AServoThreadThatStallsIsSilentThenGoesOn) {
+  use(HALSTED_FAULTY_VENDOR_LIBRARY, "stall");
+  auto opened = VendorDevice::open("");
+  ASSERT_TRUE(opened.device);
+  ASSERT_TRUE(within(*opened.device, 3000, Vec3::Zero(), [&] { return output.faults == 0; }));
+  EXPECT_TRUE(within(*opened.device, 5000, Vec3(0.8, 0.0, 0.0), [&] { return fault(kFaultDeviceSilent) && output.force.norm() == 0.0; }));
+  EXPECT_TRUE(within(*opened.device, 5000, Vec3(0.8, 0.0, 0.0), [&] { return output.force.norm() > 0.7; }));
+}
+
+/// The haptic thread stops: the vendor's servo thread lets the force go by itself.
+TEST_F(VendorTest, AHapticThreadThatStopsLetsGo) {
+  use(HALSTED_FAULTY_VENDOR_LIBRARY);
+  auto opened = VendorDevice::open("");
+  ASSERT_TRUE(opened.device);
+  ASSERT_TRUE(within(*opened.device, 5000, Vec3(0.8, 0.0, 0.0), [&] { return output.force.norm() > 0.7; }));
+  void* library = dlopen(HALSTED_FAULTY_VENDOR_LIBRARY, RTLD_NOW);
+  const auto push = reinterpret_cast<double (*)()>(dlsym(library, "faultyVendorPush"));
+  ASSERT_NE(push, nullptr);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_EQ(push(), 0.0);
+  dlclose(library);
+}
+
+}  // namespace
+}  // namespace halsted::haptics
