@@ -27,6 +27,7 @@ struct CommandLine {
   BenchOptions bench;
   DevicesOptions devices;
   TrainOptions train;
+  SurveyOptions survey;
   bool scenesJson = false;
   std::string size;
 };
@@ -105,6 +106,18 @@ void addBench(CLI::App& app, CommandLine& line) {
   command->add_flag("--json", line.bench.json, "print a JSON list");
 }
 
+void addSurvey(CLI::App& app, CommandLine& line) {
+  CLI::App* command = app.add_subcommand("survey", "what raters thought of a simulator");
+  command->require_subcommand(1);
+  CLI::App* score = command->add_subcommand("score", "weights and final scores from a table of raters' scores");
+  score->add_option("FILE", line.survey.scores, "CSV: system,rater,<one column per index>")->required();
+  score->add_option("--questionnaire", line.survey.questionnaire, "acupuncture, rectal_prolapse, or a TOML file")->capture_default_str();
+  score->add_option("--delphi", line.survey.delphi, "CSV of experts' weights: round,expert,<one column per index>");
+  score->add_option("--mu", line.survey.preference, "share of the subjective weights (default: the questionnaire's)")->check(CLI::Range(0.0, 1.0));
+  score->add_flag("--json", line.survey.json, "print the outcome as JSON");
+  score->footer("Example: halsted survey score raters.csv --delphi experts.csv --json");
+}
+
 int dispatch(const CLI::App& app, CommandLine& line) {
   if (!line.size.empty()) {
     parseSize(line.size, line.frames.width, line.frames.height);
@@ -114,6 +127,7 @@ int dispatch(const CLI::App& app, CommandLine& line) {
   if (app.got_subcommand("replay")) return replay(line.play);
   if (app.got_subcommand("capture")) return capture(line.play, line.frames);
   if (app.got_subcommand("bench")) return bench(line.bench);
+  if (app.got_subcommand("survey")) return scoreSurvey(line.survey);
   if (app.got_subcommand("devices")) return devices(line.devices);
   return train(line.train);
 }
@@ -136,6 +150,7 @@ int runCommandLine(int argc, char** argv) {
   addReplay(app, line);
   addCapture(app, line);
   addBench(app, line);
+  addSurvey(app, line);
   addDevices(app, line);
   try {
     app.parse(argc, argv);

@@ -32,7 +32,16 @@ struct TrainOptions {
   int width = 1280, height = 720;              // pixels
 };
 
+struct SurveyOptions {
+  std::string scores;                          // CSV of the raters' scores
+  std::string questionnaire = "acupuncture";   // a name or a TOML file
+  std::string delphi;                          // CSV of the experts' weights; empty: the questionnaire's own
+  double preference = -1.0;                    // [1] mu; negative: the questionnaire's own
+  bool json = false;
+};
+
 int listScenes(bool json);
+int scoreSurvey(const SurveyOptions&);
 int replay(const PlayOptions&);
 int capture(const PlayOptions&, const FrameOptions&);
 int bench(const BenchOptions&);
