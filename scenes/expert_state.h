@@ -24,6 +24,7 @@ struct ExpertState {
   Vec3 pullFrom = Vec3::Zero(), pullAlong = Vec3::UnitZ();   // [m], [1]
   double pulled = 0.0;                         // [m]
   std::array<double, kHands> drawn{};          // [m] of each tail
+  std::array<double, kHands> felt{};           // [N] tension of each tail as the hand feels it
   double place = 0.0;                          // [m] coordinate where a tail is to be taken
   double settled = 0.0;                        // [s] since the tails stopped coming
   std::array<Pose, kHands> goal;               // of the phase under way

@@ -10,12 +10,13 @@ namespace {
 constexpr double kLeast = 0.015, kMost = 0.075, kStep = 3e-3;   // [m] of thread to choose from, between stitch and jaws
 constexpr double kEnd = 4e-3;                  // [m] not by its very end
 constexpr double kClear = 0.012;               // [m] of room: no better with more
-constexpr double kNear = 0.1;                  // [1] room that one would give up to be nearer to the stitch
+constexpr double kNear = 0.25;                 // [1] room that one would give up to be nearer to the stitch
 constexpr double kLowest = -0.06, kDeepest = -0.02;            // [m] y and z: lower or deeper is out of the hands' reach
 constexpr double kSamePlace = 0.015;           // [m] along the thread
 constexpr double kTightenSpeed = 0.015;        // [m/s]
 constexpr double kTightenReach = 0.09;         // [m] as far as the arms go apart
 constexpr double kFeel = 0.5;                  // [N] short of the tension at which a hand slows down
+constexpr double kFeelTime = 0.05;             // [s] thread that catches and slips is felt as its mean
 constexpr double kTight = 0.1;                 // [1] of the speed: nothing comes any more
 constexpr double kHoldTight = 1.5;             // [s]
 constexpr double kSnug = 0.15, kClosed = 0.13; // [1] of the opening at rest: it lies on the anvil; no need to draw any more
@@ -106,7 +107,7 @@ bool runTighten(const Scene& s, std::string&) {
   ExpertState& e = s.memory;
   if (e.phase == 0) {
     for (int h = 0; h < kHands; ++h) e.goal[h] = e.hand[h].command;
-    e.drawn = {};
+    e.drawn = e.felt = {};
     e.settled = 0.0;
     nextPhase(s);
   }
@@ -114,7 +115,8 @@ bool runTighten(const Scene& s, std::string&) {
   const bool closed = opening < kClosed;
   double fastest = 0.0;                        // [1] of the tightening speed
   for (int h = 0; h < kHands; ++h) {
-    const double slack = (s.action.tension - s.state.tools[h].threadForce.norm()) / kFeel;      // [1]
+    e.felt[h] += s.dt / kFeelTime * (s.state.tools[h].threadForce.norm() - e.felt[h]);
+    const double slack = (s.action.tension - e.felt[h]) / kFeel;                                 // [1]
     const double pace = closed || e.drawn[h] >= kTightenReach ? std::fmin(0.0, slack) : std::fmin(1.0, slack);
     e.drawn[h] = std::fmax(0.0, e.drawn[h] + std::fmax(-1.0, pace) * kTightenSpeed * s.dt);
     fastest = std::fmax(fastest, pace);

@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.h"
 #include "app/progress.h"
+#include "app/resources.h"
 
 namespace fs = std::filesystem;
 
@@ -47,6 +48,7 @@ nlohmann::ordered_json measure(const std::string& folder, const std::string& pre
                                 {"thread_nodes", threadNodes(scenario.model)},
                                 {"step_ms", {{"p50", step.p50}, {"p99", step.p99}}},
                                 {"frame_ms", mean * kFrame / scenario.model.params.dt},
+                                {"resident_mb", peakResidentMegabytes()},
                                 {"published_ms", nullptr},
                                 {"published_hardware", nullptr}};
   for (const Published& published : kPublished)

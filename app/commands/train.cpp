@@ -1,6 +1,7 @@
 /// `halsted train`: a session in real time, in a window or without one. Main thread: options, window, start and stop.
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <spdlog/sinks/stdout_color_sinks.h>
@@ -9,6 +10,7 @@
 #include "app/commands/commands.h"
 #include "app/errors.h"
 #include "app/progress.h"
+#include "app/resources.h"
 #include "app/threads/live_session.h"
 #include "app/window.h"
 
@@ -31,6 +33,9 @@ void setUpLog(bool verbose) {
   log->set_level(verbose ? spdlog::level::debug : spdlog::level::warn);
   spdlog::set_default_logger(log);
 }
+
+/// The software rasteriser would start a thread for each core, which take the cores from physics and haptics. The user's own setting stays.
+void drawOnOneThread() { setenv("LP_NUM_THREADS", "0", 0); }
 
 bool timeIsUp(const TrainOptions& options, const Stopwatch& watch) {
   return options.seconds > 0.0 && watch.seconds() >= options.seconds;
@@ -73,7 +78,7 @@ double rate(std::uint64_t count, double seconds) { return seconds > 0.0 ? static
 /// The members that `train --json` adds to those of `replay --json`.
 std::string liveMembers(const LiveOutcome& outcome) {
   nlohmann::ordered_json json;
-  const Percentiles frame = outcome.render.frameTimes.percentiles(1e3);
+  const Percentiles frame = outcome.render.frameTimes.percentiles(1e3), cpu = outcome.render.frameCpu.percentiles(1e3);
   json["haptic"] = {{"rate_hz", rate(outcome.haptic.ticks, outcome.haptic.seconds)},
                     {"lateness_us", lateness(outcome.haptic.lateness)},
                     {"bare_lateness_us", lateness(outcome.bareLateness)},
@@ -84,8 +89,11 @@ std::string liveMembers(const LiveOutcome& outcome) {
                     {"realtime_priority", outcome.haptic.realtime}};
   json["physics"] = {{"rate_hz", rate(outcome.physics.steps, outcome.physics.seconds)}, {"late_steps", outcome.physics.lateSteps},
                      {"paused_s", outcome.physics.pausedSeconds}};
-  json["render"] = {{"fps", rate(outcome.render.frames, outcome.render.seconds)}, {"frame_ms", {{"p50", frame.p50}, {"p99", frame.p99}}}};
+  json["render"] = {{"fps", rate(outcome.render.frames, outcome.render.seconds)},
+                    {"frame_ms", {{"p50", frame.p50}, {"p99", frame.p99}}},
+                    {"frame_cpu_ms", {{"p50", cpu.p50}, {"p99", cpu.p99}}}};
   json["recorder"] = {{"steps", outcome.recorder.stepsRecorded}, {"dropped_records", outcome.recorder.dropped}};
+  json["resident_mb"] = peakResidentMegabytes();
   const std::string text = json.dump();
   return text.substr(1, text.size() - 2);
 }
@@ -100,7 +108,8 @@ std::string liveText(const LiveOutcome& outcome) {
             number("%.0f us", bare.max) + "\n";
   text += "  physics " + number("%.1f Hz", rate(outcome.physics.steps, outcome.physics.seconds)) + ", late steps " +
           std::to_string(outcome.physics.lateSteps) + "; pictures " + number("%.1f Hz", rate(outcome.render.frames, outcome.render.seconds)) +
-          ", p50 " + number("%.1f ms", outcome.render.frameTimes.percentiles(1e3).p50) + "\n";
+          ", p50 " + number("%.1f ms", outcome.render.frameTimes.percentiles(1e3).p50) + ", CPU " +
+          number("%.1f ms", outcome.render.frameCpu.percentiles(1e3).p50) + "; most memory held " + number("%.0f MB", peakResidentMegabytes()) + "\n";
   return text;
 }
 
@@ -130,6 +139,7 @@ std::array<DeviceChoice, kHands> chosenDevices(const TrainOptions& options) {
 }  // namespace
 
 int train(const TrainOptions& options) {
+  drawOnOneThread();                           // before any thread or OpenGL context
   const std::array<DeviceChoice, kHands> devices = chosenDevices(options);
   const Scenario scenario = scenarioFromScene(options.scene, options.overrides, devices);
   setUpLog(options.verbose);

@@ -2,6 +2,7 @@
 
 #include <exception>
 
+#include "app/resources.h"
 #include "app/threads/realtime.h"
 #include "render/renderer.h"
 
@@ -72,6 +73,7 @@ void drawFrames(const RenderScene& scene, const RenderOptions& options, double d
   while (!links.stop.load(std::memory_order_relaxed)) {
     sleepUntil(next);
     const Nanoseconds begin = monotonicNow();
+    const double cpu = threadCpuTime();        // [s]
     links.snapshot.acquire();
     panel.update(links, dt);
     const render::Frame& frame = renderer.draw(links.snapshot.front(), panel.hud, scene.camera);
@@ -81,6 +83,7 @@ void drawFrames(const RenderScene& scene, const RenderOptions& options, double d
     }
     const Nanoseconds end = monotonicNow();
     outcome.frameTimes.add(static_cast<double>(end - begin) * 1e-9);
+    outcome.frameCpu.add(threadCpuTime() - cpu);
     ++outcome.frames;
     next = std::max(next + period, end);       // a slow frame delays the next one, frames are not made up for
   }

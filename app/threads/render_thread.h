@@ -17,6 +17,7 @@ struct RenderOutcome {
   std::uint64_t frames = 0;
   double seconds = 0.0;                        // [s] from first to last frame
   Durations frameTimes{50e-6, 20'000};
+  Durations frameCpu{50e-6, 20'000};          // of this thread alone; all of it when the graphics library starts no threads
   std::string failure;                         // no OpenGL, ...; empty: none
 };
 

@@ -109,17 +109,16 @@ Tracking play(const std::string& path, double lag) {  // [s]
   setenv("HALSTED_HD_MOTION", path.c_str(), 1);
   const Motion motion = readMotion(path);
   const HHD device = hdInitDevice(HD_DEFAULT_DEVICE);
+  const auto start = std::chrono::steady_clock::now();  // the motion begins when the device is opened
   hdStartScheduler();
   Tracking tracking;
   std::size_t cursor = 0;
   const int ticks = 2000;
-  std::chrono::steady_clock::time_point start;
   inTicks(ticks, [&](int tick) {
     hdBeginFrame(device);
     double position[3];
     hdGetDoublev(HD_CURRENT_POSITION, position);
     hdEndFrame(device);
-    if (tick == 0) start = std::chrono::steady_clock::now();
     if (tick < 200) return;
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const Vec3 wanted = sampleAt(motion, elapsed - lag, cursor).pose.position * 1e3;
