@@ -1,5 +1,5 @@
 #pragma once
-/// The bounded force check of `halsted devices --test`: 0.8 N along each axis, and whether the grip went that way.
+/// The bounded force check of `halsted devices --test`: 1.5 N along each axis, and whether the grip went that way.
 /// The shipped tick with all its limits; main thread, with the device's own thread beside it.
 #include <string>
 #include <vector>
@@ -24,6 +24,7 @@ struct ForceCheck {
   double largestSpeed = 0.0;                   // [m/s]
   std::uint64_t ticks = 0, newReadings = 0;    // readings whose pose differed from the one before
   double seconds = 0.0;                        // [s]
+  int interruptions = 0;                       // pushes begun again because no reading came for 10 ms
   bool ready = false, passed = false;
 };
 

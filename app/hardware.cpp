@@ -18,6 +18,7 @@ namespace {
 using haptics::DeviceProblem;
 using haptics::DeviceStage;
 
+constexpr std::uint64_t kSettled = 10;         // readings until a device that says it is not homed is believed
 constexpr double kBringUp = 8.0;               // [s] an upload of firmware takes one
 constexpr std::uintmax_t kLargestFirmware = 1 << 20;
 
@@ -67,8 +68,8 @@ haptics::DeviceStatus bringUp(haptics::UsbDevice& device, haptics::UsbBus& bus, 
     device.serviceOnce();
     bus.wait(5e-3);
     const haptics::DeviceStatus status = device.status();
-    const bool settled = device.counters().readings > 0;
-    if (settled && (status.stage == DeviceStage::kReady || status.stage == DeviceStage::kHoming)) return status;
+    if (status.stage == DeviceStage::kReady) return status;
+    if (status.stage == DeviceStage::kHoming && device.counters().readings >= kSettled) return status;
     if (status.stage == DeviceStage::kSearching && status.problem != DeviceProblem::kNone) return status;
   } while (bus.now() < until);
   return device.status();

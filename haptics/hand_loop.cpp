@@ -51,6 +51,7 @@ Vec3 rejoined(const HandLoopConfig& config, const Vec3& device, double dt, std::
   state.away = away;
   if (away) return device;
   if (back) state.rejoin = state.lastPosition - device;
+  if (state.rejoin == Vec3::Zero()) return device;               // to the bit
   const double left = std::sqrt(state.rejoin.dot(state.rejoin));  // [m]
   const double step = config.rejoinSpeed * dt;                    // [m]
   state.rejoin = left > step ? Vec3(state.rejoin * (1.0 - step / left)) : Vec3(Vec3::Zero());

@@ -95,7 +95,7 @@ void addDevices(CLI::App& app, CommandLine& line) {
   command->add_option("--test", line.devices.test, "a bounded force check on one: falcon, open, vendor or virtual, like --left of train");
   command->add_option("--firmware", line.devices.firmware, "firmware file for a Falcon that has none (or HALSTED_FALCON_FIRMWARE)");
   command->add_flag("--json", line.devices.json, "print JSON");
-  command->footer("The check pushes with 0.8 N along each axis while you hold the grip loosely.\nExample: halsted devices --test falcon");
+  command->footer("The check pushes with 1.5 N along each axis while you hold the grip loosely.\nExample: halsted devices --test falcon");
 }
 
 void addBench(CLI::App& app, CommandLine& line) {

@@ -125,7 +125,7 @@ ordered_json jsonOf(const std::string& device, const ForceCheck& check) {
   ordered_json json{{"device", device}, {"passed", check.passed}, {"ready", check.ready}, {"state", haptics::name(check.status.stage)}};
   explain(json, check.status.problem);
   json.update({{"faults", faults}, {"tick_rate_hz", check.seconds > 0.0 ? static_cast<double>(check.ticks) / check.seconds : 0.0},
-               {"rest_noise_mm", check.restNoise * 1e3}, {"largest_force_n", check.largestForce}, {"largest_speed_mm_s", check.largestSpeed * 1e3},
+               {"interruptions", check.interruptions}, {"rest_noise_mm", check.restNoise * 1e3}, {"largest_force_n", check.largestForce}, {"largest_speed_mm_s", check.largestSpeed * 1e3},
                {"pushes", pushes}});
   return json;
 }
