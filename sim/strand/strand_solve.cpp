@@ -244,12 +244,28 @@ void finish(const StrandModel& m, double dt, const NeedleIterate& n, StrandState
   }
 }
 
+bool solveSystem(StrandWork& w, ThreadTouch* touch) {
+  if (touch && touch->work.coupledStep) return touch->work.coupled.solve(w.matrix, w.rhs.data());
+  return w.matrix.factorAndSolve(w.rhs.data());
+}
+
+/// Contacts open and close between iterates: while they are active the last correction must be small beside the thread's width.
+bool stillMoving(const StrandModel& m, const StrandWork& w, const ThreadTouch& touch) {
+  constexpr double kShare = 2e-3;              // [1] of the thread's radius
+  if (touch.work.points.empty()) return false;
+  double most = 0.0;                           // [m]
+  for (int i = 0; i < 3 * m.nodes; ++i) most = std::max(most, w.rhs[i] < 0.0 ? -w.rhs[i] : w.rhs[i]);
+  return most > kShare * m.radius;
+}
+
 }  // namespace
 
-bool solveStrand(const StrandModel& m, double dt, const Vec3& gravity, StrandState& s, StrandWork& w) {
+bool solveStrand(const StrandModel& m, double dt, const Vec3& gravity, StrandState& s, StrandWork& w, ThreadTouch* touch) {
   NeedleIterate needle = beginNeedle(m, s, dt);
   for (int i = 0; i < m.nodes; ++i) w.iterate[i] = w.inertial[i] = s.position[i] + dt * s.velocity[i];
+  if (touch) findThreadContacts(m, s, dt, *touch);
   Assembly assembly(m, dt, w);
+  const double tolerance = std::min(kLengthTolerance, 1e-3 * m.segment);   // [m]
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     w.iterations = iteration + 1;
     w.matrix.setZero();
@@ -259,13 +275,15 @@ bool solveStrand(const StrandModel& m, double dt, const Vec3& gravity, StrandSta
     assembly.bending();
     assembly.swage(needle);
     assembly.links(needle);
-    if (!w.matrix.factorAndSolve(w.rhs.data())) return false;
+    if (touch) assembleThreadContacts(w.iterate, w.matrix, w.rhs, touch->work);
+    if (!solveSystem(w, touch)) return false;
     writeTensions(m, w, s);
     for (int i = 0; i < m.nodes; ++i) w.iterate[i] += Vec3(w.rhs[3 * i], w.rhs[3 * i + 1], w.rhs[3 * i + 2]);
     moveNeedle(m, &w.rhs[3 * m.nodes], needle);
-    if (lengthError(m, w, s) < kLengthTolerance) break;
+    if (lengthError(m, w, s) < tolerance && !(touch && stillMoving(m, w, *touch))) break;
   }
   finish(m, dt, needle, s, w);
+  if (touch) settleThreadContacts(s, *touch);
   return true;
 }
 
