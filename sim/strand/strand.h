@@ -9,7 +9,6 @@
 #include "sim/strand/banded.h"
 #include "sim/strand/strand_model.h"
 #include "sim/strand/strand_state.h"
-#include "sim/strand/thread_contacts.h"
 
 namespace halsted {
 
@@ -27,6 +26,8 @@ struct NeedleTurnLink {
   Quat target = Quat::Identity();
   double stiffness = 0.0;                      // [N m/rad]
 };
+
+struct ThreadTouch;                            // sim/strand/thread_contacts.h
 
 struct StrandWork {
   static constexpr int kMaxLinks = 384;

@@ -8,6 +8,7 @@
 namespace halsted {
 namespace {
 
+constexpr int kMostNear = 16384;               // pairs that the search may find
 constexpr double kBond = 0.7;                  // [1] stiffness of the friction bond over that of the squeeze (Mindlin, nu = 0.4)
 
 Vec3 relativePoint(const std::vector<Vec3>& x, const TouchingPoint& c) {
@@ -150,10 +151,16 @@ void addCross(const TouchingPoint& c, const Mat3& stiffness, CoupledSolve& coupl
 
 }  // namespace
 
+ThreadContactState restContacts(const StrandModel& m) {
+  ThreadContactState s;
+  s.drag.assign(m.nodes, 0.0);
+  return s;
+}
+
 ThreadContactWork prepareContactWork(const StrandModel& m, const ThreadContactParams& params) {
   ThreadContactWork w;
   w.params = params;
-  const int pieces = m.nodes - 2, chunks = (pieces + kChunk - 1) / kChunk;
+  const int pieces = m.nodes - 2, chunks = (pieces + kPiecesPerChunk - 1) / kPiecesPerChunk;
   w.coupled.resize(m.nodes);
   w.points.reserve(4 * ThreadContactState::kMaxContacts);
   w.pieceCentre.assign(pieces, Vec3::Zero());
@@ -162,6 +169,9 @@ ThreadContactWork prepareContactWork(const StrandModel& m, const ThreadContactPa
   w.chunkRadius.assign(chunks, 0.0);
   w.recordOfSample.assign(pieces * kSamples, -1);
   w.nextRecord.assign(ThreadContactState::kMaxContacts, -1);
+  w.tension.assign(m.nodes - 1, 0.0);
+  w.allowance.assign(pieces, 0.0);
+  w.near.reserve(kMostNear);
   return w;
 }
 
@@ -171,8 +181,9 @@ void findThreadContacts(const StrandModel& m, const StrandState& s, double dt, T
   w.coupledStep = false;
   w.coupled.clearStructure();
   indexRecords(touch.state, w);
-  boundPieces(m, s, w);
-  searchPairs(m, s, dt, w, [&](const NearPair& near) { keepPair(m, s, near, touch); });
+  if (!searchNear(m, s, dt, w)) ++touch.state.dropped;
+  for (const NearPair& near : w.near)
+    if (mayTouch(s, near, dt, w)) keepPair(m, s, near, touch);
   findSolids(m, s, dt, touch);
   if (!w.coupledStep || w.coupled.closeStructure()) return;
   // A tangle beyond the solver's room: thread passes thread in this step, and it is counted.

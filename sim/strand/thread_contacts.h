@@ -44,6 +44,7 @@ struct ThreadContactState {
   std::array<ThreadContact, kMaxContacts> contacts{};
   std::int32_t count = 0;
   std::int32_t dropped = 0;                    // contacts that found no room, ever
+  std::vector<double> drag;                    // [1/s] per node, added to the thread's damping while it snaps (strand_trust.h)
 };
 
 /// One contact during a solve. Partner weights are zero on a solid.
@@ -59,6 +60,9 @@ struct TouchingPoint {
   ThreadContact record;
 };
 
+/// A sample and the place on another piece that is nearest to it.
+struct NearPair { int piece, sample, partner; double place, gap; };   // [1], [m] between the surfaces
+
 struct ThreadContactWork {
   ThreadContactParams params;
   std::span<const ThreadSolid> solids;         // set by the caller before each step
@@ -67,6 +71,9 @@ struct ThreadContactWork {
   std::vector<Vec3> chunkCentre, pieceCentre;  // [m]
   std::vector<double> chunkRadius, pieceRadius;   // [m]
   std::vector<std::int32_t> recordOfSample, nextRecord;
+  std::vector<double> tension;                 // [N] at the start of the step
+  std::vector<double> allowance;               // [m] per piece: how far it may stray in this step (strand_trust.h)
+  std::vector<NearPair> near;                  // what the search found
   double fastest = 0.0;                        // [m/s] of any node
   bool coupledStep = false;                    // thread touches thread in this step
 };
@@ -78,7 +85,9 @@ struct ThreadTouch {
 };
 
 inline constexpr int kSamples = 4;             // per piece
+inline constexpr int kPiecesPerChunk = 8;      // in the search
 
+ThreadContactState restContacts(const StrandModel&);
 ThreadContactWork prepareContactWork(const StrandModel&, const ThreadContactParams&);
 
 /// Before the solve: who may touch whom within dt.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/strand/strand.h"
+#include "sim/strand/thread_contacts.h"
 
 namespace halsted {
 
@@ -58,7 +59,7 @@ struct KnotRig {
 
   KnotRig(SimParams p, const std::vector<Vec3>& curve, const ThreadContactParams& c = {})
       : model((p.thread.nodes = static_cast<int>(curve.size()), buildStrand(p))), state(restState(model, needlePose(model, curve))),
-        work(prepareWork(model)), contactWork(prepareContactWork(model, c)) {
+        work(prepareWork(model)), contacts(restContacts(model)), contactWork(prepareContactWork(model, c)) {
     state.position = curve;
   }
 
