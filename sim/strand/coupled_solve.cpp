@@ -32,6 +32,9 @@ void CoupledSolve::resize(int threadNodes) {
   core_.reserve(kMaxCore + 6);
   first_.reserve(kMaxCore + 6);
   offset_.reserve(kMaxCore + 7);
+  graph_.assign(static_cast<std::size_t>(kMaxCore) * kMaxCore, 0);
+  degree_.reserve(kMaxCore);
+  order_.reserve(kMaxCore);
   pairs_.reserve(8192);
   stretches_.reserve(kMaxCore + 6);
   band_.assign(static_cast<std::size_t>(3 * blocks_ + kHalf) * kStride, 0.0);
@@ -43,81 +46,10 @@ void CoupledSolve::resize(int threadNodes) {
   inverse_.assign(3 * (kMaxCore + 6), 0.0);
 }
 
-void CoupledSolve::clearStructure() {
-  std::fill(inCore_.begin(), inCore_.end(), 0);
-  core_.clear();
-  pairs_.clear();
-  stretches_.clear();
-}
-
-bool CoupledSolve::couple(int nodeA, int nodeB) {
-  if (!pairs_.empty() && pairs_.back() == std::pair(nodeA, nodeB)) return true;
-  if (pairs_.size() == pairs_.capacity()) return false;
-  int fresh = 0;
-  for (int k = 0; k < 3; ++k) fresh += (inCore_[nodeA + k] ? 0 : 1) + (inCore_[nodeB + k] ? 0 : 1);
-  if (static_cast<int>(core_.size()) + fresh > kMaxCore) return false;
-  for (int node : {nodeA, nodeB})
-    for (int k = 0; k < 3; ++k) {
-      if (!inCore_[node + k]) core_.push_back(node + k);
-      inCore_[node + k] = 1;
-    }
-  pairs_.emplace_back(nodeA, nodeB);
-  return true;
-}
-
-void CoupledSolve::findStretches() {
-  for (int b = 0; b < blocks_;) {
-    if (inCore_[b]) { ++b; continue; }
-    int last = b;
-    while (last + 1 < blocks_ && !inCore_[last + 1]) ++last;
-    stretches_.push_back({b, last});
-    b = last + 1;
-  }
-}
-
-void CoupledSolve::extend(int nodeI, int nodeJ) {
-  int &a = first_[place_[nodeI]], &b = first_[place_[nodeJ]];
-  a = std::min(a, place_[nodeJ]);
-  b = std::min(b, place_[nodeI]);
-}
-
-/// What each core row couples with to its left: neighbours within the band, the far side of a free stretch, contacts.
-void CoupledSolve::boundEnvelope() {
-  for (int c = 0; c < coreNodes(); ++c) {
-    first_.push_back(c);
-    for (int back = 1; back <= 3 && core_[c] - back >= 0; ++back)
-      if (inCore_[core_[c] - back]) first_[c] = std::min(first_[c], place_[core_[c] - back]);
-  }
-  for (const Stretch& s : stretches_) {
-    if (s.first < 2 || s.last + 2 >= blocks_) continue;
-    for (int i = 1; i <= 2; ++i)
-      for (int j = 1; j <= 2; ++j) extend(s.last + i, s.first - j);
-  }
-  for (const auto& [a, b] : pairs_)
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) extend(a + i, b + j);
-}
-
-bool CoupledSolve::closeStructure() {
-  std::sort(core_.begin(), core_.end());
-  std::fill(place_.begin(), place_.end(), -1);
-  for (int c = 0; c < coreNodes(); ++c) place_[core_[c]] = c;
-  findStretches();
-  first_.clear();
-  boundEnvelope();
-  offset_.assign(1, 0);
-  for (int c = 0; c < coreNodes(); ++c) {
-    const int next = offset_.back() + 3 * width(c);
-    if (next > kMaxEnvelope) return false;
-    offset_.push_back(next);
-  }
-  return true;
-}
-
 void CoupledSolve::clearValues() { std::fill(values_.begin(), values_.begin() + offset_.back(), 0.0); }
 
 void CoupledSolve::add(int nodeI, int nodeJ, const Mat3& block) {
-  const int i = place_[nodeI], j = place_[nodeJ];
+  const int i = std::max(place_[nodeI], place_[nodeJ]), j = std::min(place_[nodeI], place_[nodeJ]);
   double* target = &values_[offset_[i]] + 3 * (j - first_[i]);
   const int wide = width(i);
   for (int r = 0; r < 3; ++r)
@@ -177,28 +109,26 @@ void CoupledSolve::reduceBorder(const Stretch& s, double* x) {
   }
 }
 
+/// Adds the scalar that couples rows i and j of the strand, both in the core.
+void CoupledSolve::addCore(int i, int j, double value) {
+  const int a = std::max(place_[i / 3], place_[j / 3]), b = std::min(place_[i / 3], place_[j / 3]);
+  const int ra = place_[i / 3] == a ? i % 3 : j % 3, rb = place_[i / 3] == a ? j % 3 : i % 3;
+  row(a)[ra * width(a) + 3 * (b - first_[a]) + rb] += value;
+}
+
 void CoupledSolve::gatherCore() {
   std::copy(values_.begin(), values_.begin() + offset_.back(), envelope_.begin());
-  for (int c = 0; c < coreNodes(); ++c)
-    for (int back = 0; back <= 3 && core_[c] - back >= 0; ++back) {
-      const int other = core_[c] - back;
-      if (!inCore_[other]) continue;
-      double* target = row(c) + 3 * (place_[other] - first_[c]);
-      for (int r = 0; r < 3; ++r)
-        for (int k = 0; k < 3; ++k) {
-          const int i = 3 * core_[c] + r, j = 3 * other + k;
-          const int low = std::min(i, j), apart = std::max(i, j) - low;
-          if (apart <= kHalf) target[r * width(c) + k] += band_[static_cast<std::size_t>(low) * kStride + apart];
-        }
-    }
+  for (int node : core_)
+    for (int i = 3 * node; i < 3 * node + 3; ++i)
+      for (int k = 0; k <= kHalf && i + k < 3 * blocks_; ++k) {
+        if (!inCore_[(i + k) / 3]) continue;
+        const double value = band_[static_cast<std::size_t>(i) * kStride + k];   // [N/m]
+        addCore(i + k, i, value);              // within a block only the lower triangle is read
+      }
   for (const Stretch& s : stretches_) {
     if (s.first < 2 || s.last + 2 >= blocks_) continue;
-    for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < kBorder; ++j) {
-        const int right = place_[s.last + 1 + i / 3], left = place_[s.first - 2 + j / 3];
-        row(right)[(i % 3) * width(right) + 3 * (left - first_[right]) + j % 3] +=
-            border_[static_cast<std::size_t>(3 * (s.last + 1) + i) * kBorder + j];
-      }
+    for (int i = 3 * (s.last + 1); i < 3 * (s.last + 1) + 6; ++i)
+      for (int j = 0; j < kBorder; ++j) addCore(i, 3 * (s.first - 2) + j, border_[static_cast<std::size_t>(i) * kBorder + j]);
   }
 }
 

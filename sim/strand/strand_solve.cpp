@@ -48,7 +48,6 @@ class Assembly {
  public:
   Assembly(const StrandModel& m, double dt, StrandWork& w, const ThreadTouch* touch) : model_(m), dt_(dt), work_(w), touch_(touch) {}
   const StrandModel& model() const { return model_; }
-  StrandWork& work() { return work_; }
 
   Spot spotAt(double s, const NeedleIterate& needle) const {
     Spot spot;
@@ -256,13 +255,11 @@ bool solveSystem(StrandWork& w, ThreadTouch* touch) {
 }
 
 enum class Outcome { kSingular, kUnsettled, kSettled };
-
 /// Newton's iteration from the path of inertia, with more drag on the thread than its own if the contacts ask for it.
-Outcome iterate(Assembly& assembly, const Vec3& gravity, StrandState& s, NeedleIterate& needle, ThreadTouch* touch) {
+Outcome iterate(Assembly& assembly, const Vec3& gravity, StrandState& s, NeedleIterate& needle, StrandWork& w, ThreadTouch* touch) {
   const StrandModel& m = assembly.model();
-  StrandWork& w = assembly.work();
   const double tolerance = std::min(kLengthTolerance, 1e-3 * m.segment);   // [m]
-  for (int i = 0; i < m.nodes; ++i) w.iterate[i] = w.inertial[i];
+  w.iterate = w.inertial;
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     ++w.iterations;
     w.matrix.setZero();
@@ -291,7 +288,7 @@ bool solveStrand(const StrandModel& m, double dt, const Vec3& gravity, StrandSta
   for (int attempt = 0;; ++attempt) {
     NeedleIterate needle = beginNeedle(m, s, dt);
     Assembly assembly(m, dt, w, touch);
-    const Outcome outcome = iterate(assembly, gravity, s, needle, touch);
+    const Outcome outcome = iterate(assembly, gravity, s, needle, w, touch);
     if (outcome == Outcome::kSingular) return false;
     if (touch && attempt < kMostAttempts && mustSlow(m, s, w, outcome == Outcome::kSettled, *touch)) continue;
     finish(m, dt, needle, s, w);

@@ -51,7 +51,7 @@ struct Problem {
       for (int j = 0; j < 6; ++j) {
         const double c = (i < 3 ? w[i] : -w[i - 3]) * (j < 3 ? w[j] : -w[j - 3]);
         dense.block<3, 3>(3 * node[i], 3 * node[j]) += c * k;
-        if (node[i] >= node[j]) coupled.add(node[i], node[j], c * k);
+        if (i >= j) coupled.add(node[i], node[j], c * k);
       }
   }
   double worstError(const std::vector<std::pair<int, int>>& pairs) {
@@ -73,6 +73,12 @@ TEST(CoupledSolve, IsTheDenseSolve) {
 TEST(CoupledSolve, TakesContactsAtBothEndsOfTheThread) { EXPECT_LT(Problem(40).worstError({{0, 37}, {10, 18}}), 1e-10); }
 TEST(CoupledSolve, TakesFreeStretchesOfOneAndTwoNodes) { EXPECT_LT(Problem(40).worstError({{3, 7}, {12, 15}, {20, 36}}), 1e-10); }
 TEST(CoupledSolve, TakesACoreWithoutAnyFreeNode) { EXPECT_LT(Problem(9).worstError({{0, 3}, {0, 6}, {3, 6}}), 1e-10); }
+
+TEST(CoupledSolve, TakesStrandsThatLieAlongEachOther) {
+  std::vector<std::pair<int, int>> pairs;
+  for (int k = 0; k < 15; ++k) pairs.emplace_back(4 + k, 50 - k);
+  EXPECT_LT(Problem(60).worstError(pairs), 1e-9);
+}
 
 TEST(CoupledSolve, RefusesMoreThanItsRoom) {
   CoupledSolve solve;

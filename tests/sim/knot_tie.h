@@ -106,29 +106,37 @@ class TiedKnot {
     take(rightLoop, Vec3::UnitX(), force);
     run(seconds);
   }
-  /// Lets the tails go and pulls the loop apart up to `force`; the largest force felt on the way. Ends when a tail has slipped by `slip`.
-  double load(double force, double seconds, double slip = 3e-3) {   // [N], [s], [m]
+  struct Loading {
+    double most = 0.0;                         // [N] the largest force that both hands felt
+    double gained = 0.0;                       // [m] by which the loop opened
+    bool held = false;                         // the wanted force stands and nothing moves any more
+  };
+  /// Lets the tails go and pulls the loop apart up to `force` at `speed`, until it stands or has opened by 6 mm: 3 mm of each tail.
+  Loading load(double force, double speed, double seconds = 0.5) {   // [N], [m/s], [s]
     release();
     take(leftLoop, -Vec3::UnitX(), force);
     take(rightLoop, Vec3::UnitX(), force);
-    const double before = loopLength();        // [m]
-    double most = 0.0;                         // [N]
-    for (int k = 0; k < seconds / rig.dt; ++k) {
-      if (!step()) return -1.0;
-      most = std::max(most, std::min(hands[0].felt, hands[1].felt));
-      slipped = loopLength() - before;
-      if (slipped > slip) break;
+    for (PullingHand& h : hands) h.speed = speed;
+    const double before = opening();           // [m]
+    double last = before;                      // [m]
+    Loading r;
+    for (int k = 1; k < seconds / rig.dt && r.gained < 6e-3 && !r.held; ++k) {
+      if (!step()) return {};
+      r.most = std::max(r.most, std::min(hands[0].felt, hands[1].felt));
+      r.gained = opening() - before;
+      if (k % 100) continue;
+      r.held = std::min(hands[0].felt, hands[1].felt) > 0.99 * force && std::fabs(opening() - last) < 20e-6;
+      last = opening();
     }
-    return most;
+    return r;
   }
   void release() {
     hands.clear();
     rig.held.clear();
   }
-  double slipped = 0.0;                        // [m] loop gained since the load began
 
-  /// Material cannot leave the loop but through the knot: the way from one hand over the knot to the other grows by what slips.
-  double loopLength() const { return (rig.state.position[leftLoop] - rig.state.position[rightLoop]).norm(); }   // [m]
+  /// Between the two hands on the loop: thread gets there only through the knot.
+  double opening() const { return (rig.state.position[leftLoop] - rig.state.position[rightLoop]).norm(); }   // [m]
 
   bool step() {
     for (PullingHand& h : hands) {
