@@ -27,6 +27,8 @@ struct NeedleTurnLink {
   double stiffness = 0.0;                      // [N m/rad]
 };
 
+struct ThreadTouch;                            // sim/strand/thread_contacts.h
+
 struct StrandWork {
   static constexpr int kMaxLinks = 384;
   BandedMatrix matrix;
@@ -47,7 +49,8 @@ StrandState restState(const StrandModel&, const Pose& needle);
 bool addLink(StrandWork&, const StrandLink&);
 
 /// Advances by dt under gravity and the links in `work`. False if the system could not be solved (nothing is changed then).
-bool solveStrand(const StrandModel&, double dt, const Vec3& gravity, StrandState&, StrandWork&);   // [s]
+/// With `touch`, thread also meets thread and the solids named there.
+bool solveStrand(const StrandModel&, double dt, const Vec3& gravity, StrandState&, StrandWork&, ThreadTouch* touch = nullptr);   // [s]
 
 /// World position and unit tangent (toward the tip) of a material point; coordinates are clamped to the strand.
 Vec3 strandPoint(const StrandModel&, const StrandState&, double coordinate);   // [m]

@@ -1,4 +1,5 @@
 #include "sim/strand/strand.h"
+#include "sim/strand/strand_trust.h"
 
 #include <algorithm>
 
@@ -6,6 +7,7 @@ namespace halsted {
 namespace {
 
 constexpr int kMostIterations = 8;              // a calm thread takes one; a whipping one turns its segments far in a step
+constexpr int kMostAttempts = 5;                // more drag each time, when thread near thread moves too far in a step
 constexpr double kLengthTolerance = 2e-6;      // [m] a thousandth of a segment
 constexpr double kSwageStiffness = 2e5;        // [N/m] thread end to needle: a crimp, far stiffer than anything it pulls on
 
@@ -44,7 +46,8 @@ struct Spot {
 
 class Assembly {
  public:
-  Assembly(const StrandModel& m, double dt, StrandWork& w) : model_(m), dt_(dt), work_(w) {}
+  Assembly(const StrandModel& m, double dt, StrandWork& w, const ThreadTouch* touch) : model_(m), dt_(dt), work_(w), touch_(touch) {}
+  const StrandModel& model() const { return model_; }
 
   Spot spotAt(double s, const NeedleIterate& needle) const {
     Spot spot;
@@ -97,9 +100,10 @@ class Assembly {
   void inertia(const StrandState& s, const Vec3& gravity, const NeedleIterate& needle) {
     const double stiff = 1.0 / (dt_ * dt_), drag = model_.damping / dt_;
     for (int i = 0; i < model_.nodes; ++i) {
+      const double threadDrag = touch_ ? drag + touch_->state.drag[i] / dt_ : drag;
       const double m = model_.mass[i];
-      for (int c = 0; c < 3; ++c) work_.matrix.add(3 * i + c, 3 * i + c, m * (stiff + drag));
-      addForce(3 * i, m * (gravity - stiff * (work_.iterate[i] - work_.inertial[i]) - drag * (work_.iterate[i] - s.position[i])));
+      for (int c = 0; c < 3; ++c) work_.matrix.add(3 * i + c, 3 * i + c, m * (stiff + threadDrag));
+      addForce(3 * i, m * (gravity - stiff * (work_.iterate[i] - work_.inertial[i]) - threadDrag * (work_.iterate[i] - s.position[i])));
     }
     const int p = needleIndex();
     const double m = model_.needleMass;
@@ -190,6 +194,7 @@ class Assembly {
   const StrandModel& model_;
   double dt_;                                  // [s]
   StrandWork& work_;
+  const ThreadTouch* touch_;                   // or null
 };
 
 NeedleIterate beginNeedle(const StrandModel& m, const StrandState& s, double dt) {
@@ -244,14 +249,19 @@ void finish(const StrandModel& m, double dt, const NeedleIterate& n, StrandState
   }
 }
 
-}  // namespace
+bool solveSystem(StrandWork& w, ThreadTouch* touch) {
+  if (touch && touch->work.coupledStep) return touch->work.coupled.solve(w.matrix, w.rhs.data());
+  return w.matrix.factorAndSolve(w.rhs.data());
+}
 
-bool solveStrand(const StrandModel& m, double dt, const Vec3& gravity, StrandState& s, StrandWork& w) {
-  NeedleIterate needle = beginNeedle(m, s, dt);
-  for (int i = 0; i < m.nodes; ++i) w.iterate[i] = w.inertial[i] = s.position[i] + dt * s.velocity[i];
-  Assembly assembly(m, dt, w);
+enum class Outcome { kSingular, kUnsettled, kSettled };
+/// Newton's iteration from the path of inertia, with more drag on the thread than its own if the contacts ask for it.
+Outcome iterate(Assembly& assembly, const Vec3& gravity, StrandState& s, NeedleIterate& needle, StrandWork& w, ThreadTouch* touch) {
+  const StrandModel& m = assembly.model();
+  const double tolerance = std::min(kLengthTolerance, 1e-3 * m.segment);   // [m]
+  w.iterate = w.inertial;
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
-    w.iterations = iteration + 1;
+    ++w.iterations;
     w.matrix.setZero();
     std::fill(w.rhs.begin(), w.rhs.end(), 0.0);
     assembly.inertia(s, gravity, needle);
@@ -259,14 +269,32 @@ bool solveStrand(const StrandModel& m, double dt, const Vec3& gravity, StrandSta
     assembly.bending();
     assembly.swage(needle);
     assembly.links(needle);
-    if (!w.matrix.factorAndSolve(w.rhs.data())) return false;
+    if (touch) assembleThreadContacts(w.iterate, w.matrix, w.rhs, touch->work);
+    if (!solveSystem(w, touch)) return Outcome::kSingular;
     writeTensions(m, w, s);
     for (int i = 0; i < m.nodes; ++i) w.iterate[i] += Vec3(w.rhs[3 * i], w.rhs[3 * i + 1], w.rhs[3 * i + 2]);
     moveNeedle(m, &w.rhs[3 * m.nodes], needle);
-    if (lengthError(m, w, s) < kLengthTolerance) break;
+    if (lengthError(m, w, s) < tolerance && !(touch && stillMoving(m, w.rhs, touch->work))) return Outcome::kSettled;
   }
-  finish(m, dt, needle, s, w);
-  return true;
+  return Outcome::kUnsettled;
+}
+
+}  // namespace
+
+bool solveStrand(const StrandModel& m, double dt, const Vec3& gravity, StrandState& s, StrandWork& w, ThreadTouch* touch) {
+  w.iterations = 0;
+  for (int i = 0; i < m.nodes; ++i) w.inertial[i] = s.position[i] + dt * s.velocity[i];
+  if (touch) beginTouch(m, s, dt, *touch);
+  for (int attempt = 0;; ++attempt) {
+    NeedleIterate needle = beginNeedle(m, s, dt);
+    Assembly assembly(m, dt, w, touch);
+    const Outcome outcome = iterate(assembly, gravity, s, needle, w, touch);
+    if (outcome == Outcome::kSingular) return false;
+    if (touch && attempt < kMostAttempts && mustSlow(m, s, w, outcome == Outcome::kSettled, *touch)) continue;
+    finish(m, dt, needle, s, w);
+    if (touch) settleThreadContacts(s, *touch);
+    return true;
+  }
 }
 
 }  // namespace halsted

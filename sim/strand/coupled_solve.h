@@ -1,0 +1,67 @@
+#pragma once
+/// Direct solve of the strand's banded matrix plus couplings between far-apart nodes (thread against thread).
+/// The nodes that touch are the core. The free stretches between them are eliminated along the band, in linear time, whatever the length
+/// of a loop; what remains is a small matrix over the core, ordered so that strands lying along each other stay neighbours (reverse
+/// Cuthill-McKee), kept as an envelope and factored directly. Exact, no iteration, no heap after
+/// `resize`.
+#include <vector>
+
+#include "sim/strand/banded.h"
+#include "sim/types.h"
+
+namespace halsted {
+
+class CoupledSolve {
+ public:
+  static constexpr int kMaxCore = 400;         // nodes that touch at once; `couple` refuses more
+  static constexpr int kMaxEnvelope = 900000;  // scalars in the envelope
+
+  void resize(int threadNodes);
+
+  /// Structure: forget all, then name each pair of three-node groups that a contact may couple, then close.
+  void clearStructure();
+  bool couple(int nodeA, int nodeB);           // false when the core is full
+  bool closeStructure();                       // false when the envelope would not fit
+  bool empty() const { return core_.empty(); }
+  int coreNodes() const { return static_cast<int>(core_.size()); }
+
+  /// Values: of the couplings only; the band is the strand's own.
+  void clearValues();
+  void add(int nodeI, int nodeJ, const Mat3& block);   // [N/m] a symmetric block, once for each pair
+
+  /// x := (band + couplings)^-1 x. The band is read, not changed. False when a pivot is not positive.
+  bool solve(const BandedMatrix& band, double* x);
+
+ private:
+  static constexpr int kBorder = 6;            // scalars of the two core nodes before a free stretch
+  struct Stretch { int first, last; };         // block rows, inclusive
+
+  double* row(int block) { return &envelope_[offset_[block]]; }   // three rows of equal length (3 (block + 1) - 3 first)
+  int width(int block) const { return 3 * (block + 1 - first_[block]); }
+  void findStretches();
+  void linkNeighbours();
+  void orderCore();
+  void connect(int nodeI, int nodeJ);          // within the core's graph, by present places
+  void copyBand(const BandedMatrix&);
+  bool eliminate(const Stretch&, double* x);
+  void reduceBorder(const Stretch&, double* x);
+  void addCore(int i, int j, double value);    // [N/m] scalar rows of the strand
+  void gatherCore();
+  bool factorCore();
+  void solveCore(double* x);
+  void substitute(const Stretch&, double* x) const;
+
+  int nodes_ = 0, blocks_ = 0;                 // blocks: the needle counts as two more
+  std::vector<char> inCore_;                   // per block
+  std::vector<int> core_, place_, first_, offset_;   // core: block of each place; place: of each block, -1 outside
+  std::vector<char> graph_;                    // kMaxCore rows: which places of the core couple
+  std::vector<int> degree_, order_;            // of each place; the order in which places are eliminated
+  std::vector<std::pair<int, int>> pairs_;
+  std::vector<Stretch> stretches_;
+  std::vector<double> band_;                   // [N/m] rows of BandedMatrix::kStride, eliminated in place
+  std::vector<double> border_;                 // [N/m] kBorder per scalar row: coupling with the core before the stretch
+  std::vector<double> envelope_, values_;      // [N/m] factored; couplings as added
+  std::vector<double> coreX_, scaled_, inverse_;   // [N] then [m]; one row times the pivots; [m/N]
+};
+
+}  // namespace halsted

@@ -1,0 +1,54 @@
+#pragma once
+/// What was tied, read from the thread's own course. Its nodes are joined into fewer, straighter pieces wherever no other piece passes
+/// between (Koniaris and Muthukumar 1991), the rest is projected, its crossings with signs are read along the thread, and the diagram is
+/// reduced by Reidemeister's first and second moves. A throw is a run of an odd number of crossings of one sign that both strands pass in
+/// the same order: 3 for one turn, 5 for a surgeon's double. Throws that enclose one another were tied on the same loop, innermost first;
+/// opposite signs lie square (=), equal signs make a granny (x).
+/// The two ends are led straight away from the middle of the thread. No libm; vectors are reused from call to call.
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/types.h"
+
+namespace halsted {
+
+/// One passage of the thread through a crossing.
+struct CrossingVisit { int crossing; bool over; };
+
+struct KnotDiagram {
+  std::vector<CrossingVisit> code;             // along the thread: each crossing twice, once over and once under
+  std::vector<int> sign;                       // per crossing, +1 or -1
+  int crossings() const { return static_cast<int>(code.size()) / 2; }
+};
+
+/// One throw: turns of one strand round the other, 1 single, 2 double; the sign of its crossings.
+struct Throw { int turns, sign; };
+
+struct KnotReading {
+  std::vector<Throw> throws;                   // in the order in which they were tied
+  bool complete = false;                       // all crossings belong to throws on one loop
+  int crossingsLeft = 0;                       // that belong to no throw
+};
+
+/// Crossings seen along `direction`.
+KnotDiagram projectThread(std::span<const Vec3> curve, const Vec3& direction);   // [m]
+
+/// Reidemeister's moves one and two, until none is left.
+void reduceDiagram(KnotDiagram&);
+
+/// |Alexander polynomial at -1| of the thread closed far away: 3 for a throw, 9 for square and granny, 5 for a double throw. 0 when a
+/// diagram of more than 60 crossings is refused.
+long long knotDeterminant(const KnotDiagram&);
+
+/// The thread with every node left out that no other piece holds in place; ends led away.
+std::vector<Vec3> straightened(std::span<const Vec3> curve);   // [m]
+
+KnotReading readKnot(std::span<const Vec3> curve);   // [m]
+
+/// As surgeons write it: "1", "1=1", "1x1", "2=1=1"; empty when nothing is tied; "?" added when crossings are left over.
+std::string surgicalNotation(const KnotReading&);
+/// "half hitch", "square", "granny", "surgeon's", or the notation.
+std::string knotName(const KnotReading&);
+
+}  // namespace halsted

@@ -1,0 +1,111 @@
+#include "sim/strand/thread_contact_search.h"
+
+#include <algorithm>
+
+namespace halsted {
+namespace {
+
+constexpr int kChunk = kPiecesPerChunk;
+
+/// Bounding spheres of pieces and of chunks of pieces, and the fastest node.
+void boundPieces(const StrandModel& m, const StrandState& s, ThreadContactWork& w) {
+  const int pieces = m.nodes - 2;
+  double fastest = 0.0;                        // [m^2/s^2]
+  for (const Vec3& v : s.velocity) fastest = std::max(fastest, v.squaredNorm());
+  w.fastest = std::sqrt(fastest);
+  for (int p = 0; p < pieces; ++p) {
+    // A piece lies in the triangle of its two ends and its middle node.
+    const Vec3 centre = curvePoint(s.position, curveWeights(p, 0.5));
+    const double a = (0.5 * (s.position[p] + s.position[p + 1]) - centre).squaredNorm();       // [m^2]
+    const double b = (0.5 * (s.position[p + 1] + s.position[p + 2]) - centre).squaredNorm();   // [m^2]
+    const double c = (s.position[p + 1] - centre).squaredNorm();                               // [m^2]
+    w.pieceCentre[p] = centre;
+    w.pieceRadius[p] = std::sqrt(std::max(a, std::max(b, c)));
+  }
+  for (std::size_t chunk = 0; chunk < w.chunkCentre.size(); ++chunk) {
+    const int begin = static_cast<int>(chunk) * kChunk, end = std::min(pieces, begin + kChunk);
+    const Vec3 centre = w.pieceCentre[(begin + end) / 2];
+    double radius = 0.0;                       // [m]
+    for (int p = begin; p < end; ++p) radius = std::max(radius, (w.pieceCentre[p] - centre).norm() + w.pieceRadius[p]);
+    w.chunkCentre[chunk] = centre;
+    w.chunkRadius[chunk] = radius;
+  }
+}
+
+/// Pieces of one stretch of thread that are too near along it to touch: a thread cannot be bent tighter than its own width.
+int nearestNeighbour(const StrandModel& m) { return std::max(3, static_cast<int>(4.0 * m.radius / m.segment) + 1); }
+
+double relativeSpeed(const StrandState& s, int p, int q) {
+  return (curvePoint(s.velocity, curveWeights(p, 0.5)) - curvePoint(s.velocity, curveWeights(q, 0.5))).norm();
+}
+
+class Search {
+ public:
+  Search(const StrandModel& m, const StrandState& s, double dt, ThreadContactWork& w)
+      : model_(m), state_(s), dt_(dt), work_(w), reach_(2.0 * (1.0 + kWide) * m.radius) {}
+
+  bool run() {
+    const int chunks = static_cast<int>(work_.chunkCentre.size());
+    for (int a = 0; a < chunks; ++a)
+      for (int b = a; b < chunks; ++b) {
+        const double sum = work_.chunkRadius[a] + work_.chunkRadius[b] + reach_ + 2.4 * dt_ * work_.fastest;   // [m]
+        if ((work_.chunkCentre[a] - work_.chunkCentre[b]).squaredNorm() < sum * sum && !chunkPair(a, b)) return false;
+      }
+    return true;
+  }
+
+ private:
+  bool chunkPair(int a, int b) {
+    const int pieces = model_.nodes - 2, apart = nearestNeighbour(model_);
+    const int endA = std::min(pieces, kChunk * (a + 1)), endB = std::min(pieces, kChunk * (b + 1));
+    for (int p = kChunk * a; p < endA; ++p)
+      for (int q = std::max(kChunk * b, p + apart); q < endB; ++q) {
+        const double sum = work_.pieceRadius[p] + work_.pieceRadius[q] + reach_ + 2.4 * dt_ * work_.fastest;   // [m]
+        if ((work_.pieceCentre[p] - work_.pieceCentre[q]).squaredNorm() > sum * sum) continue;
+        const double reach = reach_ + 1.2 * dt_ * relativeSpeed(state_, p, q);   // [m]
+        if (!samples(p, q, reach) || !samples(q, p, reach)) return false;
+      }
+    return true;
+  }
+  bool samples(int own, int other, double reach) {   // [m]
+    const double sum = work_.pieceRadius[own] + work_.pieceRadius[other] + reach;   // [m]
+    if ((work_.pieceCentre[own] - work_.pieceCentre[other]).squaredNorm() > sum * sum) return true;
+    for (int k = 0; k < kSamples; ++k) {
+      const Vec3 point = curvePoint(state_.position, curveWeights(own, (k + 0.5) / kSamples));
+      const double place = nearestOnPiece(state_.position, other, point);   // [1]
+      if (place < 0.0) continue;
+      const double squared = (point - curvePoint(state_.position, curveWeights(other, place))).squaredNorm();   // [m^2]
+      if (squared > reach * reach) continue;
+      if (work_.near.size() == work_.near.capacity()) return false;
+      work_.near.push_back({own, k, other, place, std::sqrt(squared) - 2.0 * model_.radius});
+    }
+    return true;
+  }
+
+  const StrandModel& model_;
+  const StrandState& state_;
+  double dt_;                                  // [s]
+  ThreadContactWork& work_;
+  double reach_;                               // [m] between centre lines at rest
+};
+
+}  // namespace
+
+bool searchNear(const StrandModel& m, const StrandState& s, double dt, ThreadContactWork& w) {
+  w.near.clear();
+  boundPieces(m, s, w);
+  const bool complete = Search(m, s, dt, w).run();
+  std::fill(w.allowance.begin(), w.allowance.end(), kWide * m.radius);
+  for (const NearPair& pair : w.near) {
+    const double half = std::max(0.5 * pair.gap, kNarrow * m.radius);   // [m]
+    w.allowance[pair.piece] = std::min(w.allowance[pair.piece], half);
+    w.allowance[pair.partner] = std::min(w.allowance[pair.partner], half);
+  }
+  return complete;
+}
+
+bool mayTouch(const StrandState& s, const NearPair& pair, double dt, const ThreadContactWork& w) {
+  return pair.gap < 1.01 * (w.allowance[pair.piece] + w.allowance[pair.partner]) + 1.2 * dt * relativeSpeed(s, pair.piece, pair.partner);
+}
+
+}  // namespace halsted

@@ -1,0 +1,16 @@
+#pragma once
+/// Finds the samples of the thread's curve that are, or within a step may come, near another part of it. Physics thread; no heap.
+#include "sim/strand/thread_contacts.h"
+
+namespace halsted {
+
+inline constexpr double kNarrow = 0.5, kWide = 3.0;   // [1] of the radius: bounds of a piece's allowance
+
+/// Fills `near` with all pairs that matter, in a fixed order, and `allowance` with half of each piece's clearance, within its bounds.
+/// False when there were more than fit.
+bool searchNear(const StrandModel&, const StrandState&, double dt, ThreadContactWork&);   // [s]
+
+/// Whether a pair could touch when both pieces stray as far as they may.
+bool mayTouch(const StrandState&, const NearPair&, double dt, const ThreadContactWork&);   // [s]
+
+}  // namespace halsted

@@ -1,0 +1,228 @@
+#include "sim/strand/thread_contacts.h"
+
+#include <algorithm>
+
+#include "sim/contact/geometry.h"
+#include "sim/strand/thread_contact_search.h"
+
+namespace halsted {
+namespace {
+
+constexpr int kMostNear = 16384;               // pairs that the search may find
+constexpr double kBond = 0.7;                  // [1] stiffness of the friction bond over that of the squeeze (Mindlin, nu = 0.4)
+
+Vec3 relativePoint(const std::vector<Vec3>& x, const TouchingPoint& c) {
+  const Vec3 own = curvePoint(x, c.sample);
+  return c.solid ? Vec3(own - c.anchor) : Vec3(own - curvePoint(x, c.partner));
+}
+
+const ThreadContact* recordFor(const ThreadContactState& state, const ThreadContactWork& w, const ThreadContact& fresh) {
+  for (int r = w.recordOfSample[fresh.sample]; r >= 0; r = w.nextRecord[r]) {
+    const ThreadContact& old = state.contacts[r];
+    if (fresh.partner < 0 || old.partner < 0) {
+      if (fresh.partner == old.partner) return &old;
+      continue;
+    }
+    const double moved = fresh.partner + fresh.place - (old.partner + old.place);   // [1] pieces
+    if (moved < 1.0 && moved > -1.0) return &old;
+  }
+  return nullptr;
+}
+
+void indexRecords(const ThreadContactState& state, ThreadContactWork& w) {
+  std::fill(w.recordOfSample.begin(), w.recordOfSample.end(), -1);
+  for (int i = state.count - 1; i >= 0; --i) {
+    w.nextRecord[i] = w.recordOfSample[state.contacts[i].sample];
+    w.recordOfSample[state.contacts[i].sample] = i;
+  }
+}
+
+/// Completes a contact whose partner and normal are known, and keeps it if there is room.
+void keepPoint(TouchingPoint& c, ThreadTouch& touch) {
+  ThreadContactWork& w = touch.work;
+  if (w.points.size() == w.points.capacity() || (!c.solid && !w.coupled.couple(c.sample.node, c.partner.node))) {
+    ++touch.state.dropped;
+    return;
+  }
+  if (const ThreadContact* old = recordFor(touch.state, w, c.record)) {
+    c.carried = old->friction - old->friction.dot(c.normal) * c.normal;
+    c.normalForce = old->normalForce;
+  }
+  w.coupledStep = w.coupledStep || !c.solid;
+  w.points.push_back(c);
+}
+
+void keepPair(const StrandModel& m, const StrandState& s, const NearPair& near, ThreadTouch& touch) {
+  TouchingPoint c;
+  c.sample = curveWeights(near.piece, (near.sample + 0.5) / kSamples);
+  c.partner = curveWeights(near.partner, near.place);
+  c.start = relativePoint(s.position, c);
+  const double distance = c.start.norm();
+  if (!(distance > 1e-9)) return;
+  c.normal = c.start / distance;
+  c.reach = 2.0 * m.radius;
+  c.stiffness = 0.5 * touch.work.params.stiffness * m.segment / kSamples;   // half: the partner's samples carry the other half
+  c.coefficient = touch.work.params.friction;
+  c.record = {near.piece * kSamples + near.sample, near.partner, near.place, 0.0, Vec3::Zero()};
+  keepPoint(c, touch);
+}
+
+void keepSolid(const StrandModel& m, const StrandState& s, std::array<int, 2> where, ThreadTouch& touch, double dt) {
+  const auto [sample, solid] = where;
+  const ThreadSolid& body = touch.work.solids[solid];
+  TouchingPoint c;
+  c.solid = true;
+  c.sample = curveWeights(sample / kSamples, (sample % kSamples + 0.5) / kSamples);
+  const Vec3 own = curvePoint(s.position, c.sample);
+  const double f = closestOnSegment(own, body.fromA, body.fromB);   // [1]
+  const Vec3 before = body.fromA + f * (body.fromB - body.fromA);   // [m]
+  c.anchor = body.a + f * (body.b - body.a);
+  c.start = own - before;
+  const double distance = c.start.norm();
+  const Vec3 relative = dt * curvePoint(s.velocity, c.sample) - (c.anchor - before);   // [m] in this step
+  c.reach = body.radius + m.radius;
+  if (!(distance > 1e-9) || distance > c.reach + 0.5 * m.radius + 1.2 * relative.norm()) return;
+  c.normal = c.start / distance;
+  c.stiffness = touch.work.params.stiffness * m.segment / kSamples;
+  c.coefficient = body.friction;
+  c.record = {sample, -1 - solid, f, 0.0, Vec3::Zero()};
+  keepPoint(c, touch);
+}
+
+void findSolids(const StrandModel& m, const StrandState& s, double dt, ThreadTouch& touch) {
+  const int solids = static_cast<int>(touch.work.solids.size());
+  for (int solid = 0; solid < solids; ++solid) {
+    const ThreadSolid& body = touch.work.solids[solid];
+    const double swept = std::max((body.a - body.fromA).norm(), (body.b - body.fromB).norm());   // [m]
+    for (int p = 0; p < m.nodes - 2; ++p) {
+      const Vec3& centre = touch.work.pieceCentre[p];
+      const double f = closestOnSegment(centre, body.fromA, body.fromB);   // [1]
+      const double reach = body.radius + 2.0 * m.radius + touch.work.pieceRadius[p] + 1.5 * (dt * touch.work.fastest + swept);   // [m]
+      if ((centre - body.fromA - f * (body.fromB - body.fromA)).squaredNorm() > reach * reach) continue;
+      for (int k = 0; k < kSamples; ++k) keepSolid(m, s, {p * kSamples + k, solid}, touch, dt);
+    }
+  }
+}
+
+/// Force and stiffness of one contact at an iterate.
+struct Answer { Vec3 force; Mat3 stiffness; };   // [N], [N/m]
+
+bool answerOf(const std::vector<Vec3>& x, TouchingPoint& c, Answer& out) {
+  const Vec3 relative = relativePoint(x, c);
+  const double squeeze = c.reach - c.normal.dot(relative);   // [m]
+  c.normalForce = 0.0;
+  c.friction.setZero();
+  if (squeeze <= 0.0) return false;
+  // A squeezed braid stiffens; this keeps the centre lines apart up to the load at which thread breaks.
+  const double soft = c.reach < 1e-3 ? 2.0 * squeeze / c.reach : 0.0;   // [1]
+  c.normalForce = c.stiffness * squeeze * (1.0 + soft * soft);
+  const double bond = kBond * c.stiffness;                   // [N/m]
+  Vec3 slide = relative - c.start;
+  slide -= slide.dot(c.normal) * c.normal;
+  c.friction = c.carried - bond * slide;
+  const double size = c.friction.norm(), limit = c.coefficient * c.normalForce;   // [N]
+  const double share = size > limit ? limit / size : 1.0;    // [1]
+  c.friction *= share;
+  const Mat3 nn = c.normal * c.normal.transpose();
+  out.force = c.normalForce * c.normal + c.friction;
+  out.stiffness = c.stiffness * (1.0 + 3.0 * soft * soft) * nn + share * bond * (Mat3::Identity() - nn);
+  return true;
+}
+
+void addOwn(const CurveWeights& w, const Answer& answer, double sign, BandedMatrix& matrix, std::vector<double>& rhs) {
+  for (int a = 0; a < 3; ++a) {
+    for (int r = 0; r < 3; ++r) rhs[3 * (w.node + a) + r] += sign * w.weight[a] * answer.force[r];
+    for (int b = a; b < 3; ++b)
+      for (int r = 0; r < 3; ++r)
+        for (int k = 0; k < 3; ++k)
+          matrix.add(3 * (w.node + a) + r, 3 * (w.node + b) + k, w.weight[a] * w.weight[b] * answer.stiffness(r, k));
+  }
+}
+
+void addCross(const TouchingPoint& c, const Mat3& stiffness, CoupledSolve& coupled) {
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) {
+      const int i = c.sample.node + a, j = c.partner.node + b;
+      const Mat3 block = -c.sample.weight[a] * c.partner.weight[b] * stiffness;   // symmetric: the same block either way
+      if (i != j) coupled.add(std::max(i, j), std::min(i, j), block);
+      else coupled.add(i, j, 2.0 * block);
+    }
+}
+
+}  // namespace
+
+ThreadContactState restContacts(const StrandModel& m) {
+  ThreadContactState s;
+  s.drag.assign(m.nodes, 0.0);
+  return s;
+}
+
+ThreadContactWork prepareContactWork(const StrandModel& m, const ThreadContactParams& params) {
+  ThreadContactWork w;
+  w.params = params;
+  const int pieces = m.nodes - 2, chunks = (pieces + kPiecesPerChunk - 1) / kPiecesPerChunk;
+  w.coupled.resize(m.nodes);
+  w.points.reserve(4 * ThreadContactState::kMaxContacts);
+  w.pieceCentre.assign(pieces, Vec3::Zero());
+  w.pieceRadius.assign(pieces, 0.0);
+  w.chunkCentre.assign(chunks, Vec3::Zero());
+  w.chunkRadius.assign(chunks, 0.0);
+  w.recordOfSample.assign(pieces * kSamples, -1);
+  w.nextRecord.assign(ThreadContactState::kMaxContacts, -1);
+  w.tension.assign(m.nodes - 1, 0.0);
+  w.allowance.assign(pieces, 0.0);
+  w.near.reserve(kMostNear);
+  return w;
+}
+
+void findThreadContacts(const StrandModel& m, const StrandState& s, double dt, ThreadTouch& touch) {
+  ThreadContactWork& w = touch.work;
+  w.points.clear();
+  w.coupledStep = false;
+  w.coupled.clearStructure();
+  indexRecords(touch.state, w);
+  if (!searchNear(m, s, dt, w)) ++touch.state.dropped;
+  for (const NearPair& near : w.near)
+    if (mayTouch(s, near, dt, w)) keepPair(m, s, near, touch);
+  findSolids(m, s, dt, touch);
+  if (!w.coupledStep || w.coupled.closeStructure()) return;
+  // A tangle beyond the solver's room: thread passes thread in this step, and it is counted.
+  touch.state.dropped += static_cast<int>(w.points.size());
+  std::erase_if(w.points, [](const TouchingPoint& c) { return !c.solid; });
+  w.coupledStep = false;
+}
+
+void assembleThreadContacts(const std::vector<Vec3>& iterate, BandedMatrix& matrix, std::vector<double>& rhs, ThreadContactWork& w) {
+  if (w.coupledStep) w.coupled.clearValues();
+  Answer answer;
+  for (TouchingPoint& c : w.points) {
+    if (!answerOf(iterate, c, answer)) continue;
+    addOwn(c.sample, answer, 1.0, matrix, rhs);
+    if (c.solid) continue;
+    addOwn(c.partner, answer, -1.0, matrix, rhs);
+    addCross(c, answer.stiffness, w.coupled);
+  }
+}
+
+void settleThreadContacts(const StrandState& s, ThreadTouch& touch) {
+  ThreadContactState& state = touch.state;
+  int kept = 0;
+  Answer answer;
+  for (TouchingPoint& c : touch.work.points) {
+    if (!answerOf(s.position, c, answer)) continue;
+    if (kept == ThreadContactState::kMaxContacts) { ++state.dropped; continue; }
+    c.record.normalForce = c.normalForce;
+    c.record.friction = c.friction;
+    state.contacts[kept++] = c.record;
+  }
+  for (int i = kept; i < state.count; ++i) state.contacts[i] = ThreadContact{};
+  state.count = kept;
+}
+
+int brokenSegment(const StrandState& s, double breakingTension) {
+  for (std::size_t i = 0; i < s.tension.size(); ++i)
+    if (s.tension[i] >= breakingTension) return static_cast<int>(i);
+  return -1;
+}
+
+}  // namespace halsted

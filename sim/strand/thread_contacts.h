@@ -1,0 +1,107 @@
+#pragma once
+/// Thread against thread, and against solids: what makes a knot hold. The thread's smooth curve (thread_curve.h) is sampled; a sample
+/// pressed nearer to another part of the curve than one diameter is pushed off along the line between them and rubs with Coulomb friction.
+///
+/// Normal force: the thread is laterally compressible, `stiffness` newtons per metre of thread and metre of squeeze, stiffening toward
+/// half a diameter; the force on a crossing then grows as Hertz's (power 1.5). Friction: an elastic bond that is carried from step to step
+/// and gives way at mu N, so that what sticks does not creep. Direction and partner of a contact are those at the start of a step, and it
+/// is looked for ahead along the relative motion: a pair cannot change sides within a step, however fast.
+/// All forces are linearised into the strand's own Newton iteration and solved with it, directly (coupled_solve.h). Physics thread; no heap.
+#include <span>
+#include <vector>
+
+#include "sim/strand/coupled_solve.h"
+#include "sim/strand/strand_model.h"
+#include "sim/strand/strand_state.h"
+#include "sim/strand/thread_curve.h"
+
+namespace halsted {
+
+struct ThreadContactParams {
+  // Thread on thread: physics.md D proposes 0.30 braided, 0.20 monofilament as a design value. Here a square knot locks only above about
+  // 0.32: at 0.30 it creeps out under load, as two throws of some braids do, and three throws hold.
+  double friction = 0.35;                      // [1]
+  double stiffness = 5e8;                      // [N/m^2] lateral modulus of a braid, about 0.5 GPa over the width (design)
+  double breakingTension = 17.4;               // [N] USP knot-pull minimum, 3-0 absorbable synthetic (physics.md D)
+};
+
+/// A solid that the thread lies against: a capsule, with its ends at the start of the step.
+struct ThreadSolid {
+  Vec3 a = Vec3::Zero(), b = Vec3::Zero();     // [m] now
+  Vec3 fromA = Vec3::Zero(), fromB = Vec3::Zero();   // [m] at the start of the step
+  double radius = 0.0, friction = 0.2;         // [m], [1]
+};
+
+/// Kept from step to step.
+struct ThreadContact {
+  std::int32_t sample = -1;                    // kSamples per piece
+  std::int32_t partner = -1;                   // piece of the curve, or -1 - solid
+  double place = 0.0;                          // [1] on the partner piece
+  double normalForce = 0.0;                    // [N]
+  Vec3 friction = Vec3::Zero();                // [N] tangential, on the sample
+};
+
+struct ThreadContactState {
+  static constexpr int kMaxContacts = 1536;
+  std::array<ThreadContact, kMaxContacts> contacts{};
+  std::int32_t count = 0;
+  std::int32_t dropped = 0;                    // contacts that found no room, ever
+  std::vector<double> drag;                    // [1/s] per node, added to the thread's damping while it snaps (strand_trust.h)
+};
+
+/// One contact during a solve. Partner weights are zero on a solid.
+struct TouchingPoint {
+  CurveWeights sample, partner;
+  bool solid = false;
+  Vec3 normal = Vec3::UnitX();                 // [1] toward the sample
+  Vec3 anchor = Vec3::Zero(), start = Vec3::Zero();   // [m] solid's surface axis now; sample minus partner when the step began
+  Vec3 carried = Vec3::Zero();                 // [N] friction at the start
+  double stiffness = 0.0, reach = 0.0, coefficient = 0.0;   // [N/m]; [m] distance at which they touch; [1]
+  double normalForce = 0.0;                    // [N] at the last iterate
+  Vec3 friction = Vec3::Zero();                // [N] at the last iterate
+  ThreadContact record;
+};
+
+/// A sample and the place on another piece that is nearest to it.
+struct NearPair { int piece, sample, partner; double place, gap; };   // [1], [m] between the surfaces
+
+struct ThreadContactWork {
+  ThreadContactParams params;
+  std::span<const ThreadSolid> solids;         // set by the caller before each step
+  CoupledSolve coupled;
+  std::vector<TouchingPoint> points;
+  std::vector<Vec3> chunkCentre, pieceCentre;  // [m]
+  std::vector<double> chunkRadius, pieceRadius;   // [m]
+  std::vector<std::int32_t> recordOfSample, nextRecord;
+  std::vector<double> tension;                 // [N] at the start of the step
+  std::vector<double> allowance;               // [m] per piece: how far it may stray in this step (strand_trust.h)
+  std::vector<NearPair> near;                  // what the search found
+  double fastest = 0.0;                        // [m/s] of any node
+  bool coupledStep = false;                    // thread touches thread in this step
+};
+
+/// Both together: what `solveStrand` takes.
+struct ThreadTouch {
+  ThreadContactState& state;
+  ThreadContactWork& work;
+};
+
+inline constexpr int kSamples = 4;             // per piece
+inline constexpr int kPiecesPerChunk = 8;      // in the search
+
+ThreadContactState restContacts(const StrandModel&);
+ThreadContactWork prepareContactWork(const StrandModel&, const ThreadContactParams&);
+
+/// Before the solve: who may touch whom within dt.
+void findThreadContacts(const StrandModel&, const StrandState&, double dt, ThreadTouch&);   // [s]
+
+/// Forces and stiffness at an iterate, into the strand's system and the couplings.
+void assembleThreadContacts(const std::vector<Vec3>& iterate, BandedMatrix&, std::vector<double>& rhs, ThreadContactWork&);   // [N]
+
+/// After the solve: what is kept for the next step.
+void settleThreadContacts(const StrandState&, ThreadTouch&);
+
+/// First segment whose tension has reached the breaking strength, or -1.
+int brokenSegment(const StrandState&, double breakingTension);   // [N]
+
+}  // namespace halsted

@@ -1,0 +1,41 @@
+#pragma once
+/// The smooth curve that touches: a quadratic B-spline over the thread's nodes. A polygon's corners would catch on each other like teeth
+/// and hold a knot that real thread does not; this curve has one tangent everywhere. Piece p is controlled by nodes p, p + 1, p + 2 and
+/// runs from the middle of one segment to the middle of the next. Pure functions.
+#include "sim/types.h"
+
+namespace halsted {
+
+struct CurveWeights {
+  int node = 0;                                // of nodes node, node + 1, node + 2
+  std::array<double, 3> weight{};              // [1] sum 1
+};
+
+inline CurveWeights curveWeights(int piece, double v) {   // v [1] in [0, 1]
+  return {piece, {0.5 * (1.0 - v) * (1.0 - v), 0.5 + v - v * v, 0.5 * v * v}};
+}
+
+/// `nodes` is anything indexed by node: positions, velocities.
+template <class Nodes> Vec3 curvePoint(const Nodes& nodes, const CurveWeights& w) {
+  return w.weight[0] * nodes[w.node] + w.weight[1] * nodes[w.node + 1] + w.weight[2] * nodes[w.node + 2];
+}
+
+/// The place [1] on a piece where its distance from `point` has a minimum; negative when it has none there. Neighbouring pieces share
+/// the derivative at their joint, so every minimum of the whole curve is found once.
+template <class Nodes> double nearestOnPiece(const Nodes& nodes, int piece, const Vec3& point) {
+  const Vec3 e0 = nodes[piece + 1] - nodes[piece], e1 = nodes[piece + 2] - nodes[piece + 1];
+  const Vec3 q = 0.5 * (nodes[piece] + nodes[piece + 1]) - point, c = e1 - e0;
+  const double c0 = q.dot(e0), c1 = q.dot(c) + e0.dot(e0), c2 = 1.5 * e0.dot(c), c3 = 0.5 * c.dot(c);   // [m^2]
+  if (c0 > 0.0 || c0 + c1 + c2 + c3 <= 0.0) return -1.0;
+  double low = 0.0, high = 1.0, v = -c0 / (c1 + c2 + c3);   // [1]
+  for (int k = 0; k < 8; ++k) {
+    const double value = c0 + v * (c1 + v * (c2 + v * c3));   // [m^2]
+    (value > 0.0 ? high : low) = v;
+    const double slope = c1 + v * (2.0 * c2 + v * 3.0 * c3);   // [m^2]
+    const double next = slope > 0.0 ? v - value / slope : low;   // [1]
+    v = next > low && next < high ? next : 0.5 * (low + high);
+  }
+  return v;
+}
+
+}  // namespace halsted

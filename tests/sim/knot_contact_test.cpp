@@ -1,0 +1,141 @@
+/// Thread against thread: nothing passes through, no energy comes from nowhere, friction obeys Coulomb, thread breaks.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "sim/strand/knot_diagram.h"
+#include "tests/sim/knot_tie.h"
+
+namespace halsted {
+namespace {
+
+/// One thread whose second arm lies a millimetre above its first, at right angles.
+struct CrossedArms {
+  KnotRig rig;
+  std::vector<int> lower, upper;               // nodes of the arms
+  std::array<std::size_t, 2> hands{};
+
+  explicit CrossedArms(double dt, double shift) : rig(knotThread(), curve(shift)) {   // [s], [m]
+    rig.dt = dt;
+    for (int i = 0; i < rig.model.nodes; ++i) {
+      const Vec3& x = rig.state.position[i];
+      if (std::fabs(x.z()) < 1e-9 && std::fabs(x.y()) < 1e-9) lower.push_back(i);
+      if (std::fabs(x.x() - shift) < 1e-9 && std::fabs(x.y() - 1e-3) < 1e-9) upper.push_back(i);
+    }
+    rig.hold(lower[2], 1e4);
+    rig.hold(lower[lower.size() - 3], 1e4);
+    hands = {rig.hold(upper[2], 1e4), rig.hold(upper[upper.size() - 3], 1e4)};
+  }
+  static std::vector<Vec3> curve(double shift) {   // [m]
+    const double s = shift * 1e3;              // [mm]
+    std::vector<Vec3> x;
+    for (const Vec3& p : {Vec3(-9, 0, 0), Vec3(9, 0, 0), Vec3(14, 0.5, -8), Vec3(8, 1, -14), Vec3(s, 1, -9), Vec3(s, 1, 9)}) x.push_back(1e-3 * p);
+    return evenlySpaced(x, knotThread().thread.segmentLength);
+  }
+  void lowerHands(double speed) {              // [m/s]
+    for (std::size_t h : hands) rig.held[h].anchor.y() -= speed * rig.dt;
+  }
+  /// The first arm passes below the second where they cross, seen from above.
+  bool firstIsBelow() const {
+    std::vector<Vec3> arms;
+    for (int i : lower) arms.push_back(rig.state.position[i]);
+    for (int i : upper) arms.push_back(rig.state.position[i]);
+    const KnotDiagram d = projectThread(arms, Vec3(1e-4, 1.0, 2e-4));
+    return d.crossings() == 1 && !d.code[0].over;
+  }
+};
+
+class ThreadMeetsThread : public testing::TestWithParam<double> {};   // [s] step
+
+TEST_P(ThreadMeetsThread, AtHalfAMetreASecondItDoesNotPassThrough) {
+  for (double shift : {0.0, 0.07e-3, 0.15e-3, 0.21e-3}) {             // [m] nodes, joints and between
+    CrossedArms arms(GetParam(), shift);
+    double most = 0.0;                                                // [N]
+    for (int k = 0; k * arms.rig.dt < 9e-3; ++k) {
+      arms.lowerHands(0.5);
+      ASSERT_TRUE(arms.rig.step());
+      ASSERT_TRUE(arms.firstIsBelow()) << "after " << k * arms.rig.dt << " s, shift " << shift;
+      for (double t : arms.rig.state.tension) most = std::max(most, t);
+    }
+    EXPECT_GT(most, 1.0) << "the arms have met and pull on each other";
+    EXPECT_EQ(arms.rig.contacts.dropped, 0);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Steps, ThreadMeetsThread, testing::Values(1e-3, 0.5e-3, 0.25e-3));
+
+TEST(ThreadContact, AWiderApproachSpeedDoesNotPassEither) {
+  CrossedArms arms(0.25e-3, 0.07e-3);
+  for (int k = 0; k * arms.rig.dt < 2.5e-3; ++k) {
+    arms.lowerHands(2.0);
+    ASSERT_TRUE(arms.rig.step());
+    ASSERT_TRUE(arms.firstIsBelow()) << "after " << k * arms.rig.dt << " s";
+  }
+}
+
+double energy(const KnotRig& rig) {            // [J]
+  const auto& x = rig.state.position;
+  double sum = 0.5 * rig.model.needleMass * rig.state.needleVelocity.squaredNorm();   // [J]
+  const Mat3 r = rig.state.needle.orientation.toRotationMatrix();
+  sum += 0.5 * rig.state.needleSpin.dot(r * rig.model.needleInertia * r.transpose() * rig.state.needleSpin);
+  for (int i = 0; i < rig.model.nodes; ++i) sum += 0.5 * rig.model.mass[i] * rig.state.velocity[i].squaredNorm();
+  for (double tension : rig.state.tension) sum += 0.5 * tension * tension / rig.model.axial;
+  for (int i = 0; i + 2 < rig.model.nodes; ++i) sum += 0.5 * rig.model.bending * (x[i] - 2.0 * x[i + 1] + x[i + 2]).squaredNorm();
+  const double squeeze = 0.5 * rig.contactWork.params.stiffness * rig.model.segment / kSamples;   // [N/m]
+  for (int i = 0; i < rig.contacts.count; ++i) {
+    const ThreadContact& c = rig.contacts.contacts[i];
+    sum += 0.5 * c.normalForce * c.normalForce / squeeze + 0.5 * c.friction.squaredNorm() / (0.7 * squeeze);
+  }
+  return sum;
+}
+
+TEST(ThreadContact, ALooselyTiedKnotLeftToItselfOnlyLosesEnergy) {
+  TiedKnot knot(std::vector<int>{3, -3});
+  const double start = energy(knot.rig);       // [J] of the bent thread
+  double last = start, worst = 0.0;            // [J]
+  for (int k = 0; k < 400; ++k) {
+    ASSERT_TRUE(knot.rig.step());
+    const double now = energy(knot.rig);       // [J]
+    worst = std::max(worst, now - last);
+    last = now;
+  }
+  RecordProperty("largest_rise_share", std::to_string(worst / start));
+  if (std::getenv("KNOT_VERBOSE")) std::printf("largest rise %.3g of the start, end %.3f\n", worst / start, last / start);
+  EXPECT_LT(worst, 0.01 * start);
+  EXPECT_LT(last, start);
+}
+
+TEST(ThreadContact, FrictionNeverExceedsCoulomb) {
+  TiedKnot knot(std::vector<int>{3, -3});
+  knot.tighten(2.0, 0.03);
+  const double mu = knot.rig.contactWork.params.friction;   // [1]
+  EXPECT_GT(knot.rig.contacts.count, 20);
+  for (int i = 0; i < knot.rig.contacts.count; ++i) {
+    const ThreadContact& c = knot.rig.contacts.contacts[i];
+    EXPECT_LE(c.friction.norm(), mu * c.normalForce * (1.0 + 1e-9));
+  }
+}
+
+TEST(ThreadContact, TheSameRunTwiceGivesTheSameBits) {
+  TiedKnot a(std::vector<int>{3, 3}), b(std::vector<int>{3, 3});
+  a.tighten(2.0, 0.02);
+  b.tighten(2.0, 0.02);
+  for (int i = 0; i < a.rig.model.nodes; ++i) EXPECT_EQ(a.rig.state.position[i], b.rig.state.position[i]);
+}
+
+/// USP knot-pull minimum of a 3-0 absorbable synthetic thread.
+TEST(ThreadStrength, BreaksAtItsKnotPullStrengthAndNotBelow) {
+  std::vector<Vec3> straight;
+  for (int i = 0; i < 60; ++i) straight.push_back(Vec3(0.3e-3 * i, 0.0, 0.0));
+  const double strength = ThreadContactParams{}.breakingTension;   // [N]
+  for (double share : {0.98, 1.02}) {          // [1]
+    KnotRig rig(knotThread(), straight);
+    rig.hold(0, 1e6);
+    rig.pull(55, Vec3(share * strength, 0.0, 0.0));
+    ASSERT_TRUE(rig.run(200));
+    EXPECT_EQ(brokenSegment(rig.state, strength) >= 0, share > 1.0) << share;
+  }
+}
+
+}  // namespace
+}  // namespace halsted
