@@ -16,8 +16,8 @@ constexpr double kSamePlace = 0.015;           // [m] along the thread
 constexpr double kTightenSpeed = 0.015;        // [m/s]
 constexpr double kTightenReach = 0.09;         // [m] as far as the arms go apart
 constexpr double kFeel = 0.5;                  // [N] short of the tension at which a hand slows down
-constexpr double kFeelTime = 0.05;             // [s] thread that catches and slips is felt as its mean
-constexpr double kTight = 0.1;                 // [1] of the speed: nothing comes any more
+constexpr double kFeelTime = 0.2;              // [s] thread that catches and slips is felt as its mean
+constexpr double kTight = 0.3;                 // [1] of the speed: nothing comes any more
 constexpr double kHoldTight = 1.5;             // [s]
 constexpr double kSnug = 0.15, kClosed = 0.13; // [1] of the opening at rest: it lies on the anvil; no need to draw any more
 
@@ -78,13 +78,16 @@ bool takeThread(const Scene& s, int hand, int first, double (*think)(const Scene
   return false;
 }
 
+double opening(const State& s, const Model& m) { return s.metrics.openingArea / m.restOpening; }   // [1]
+
 }  // namespace
 
-/// Phase 0: looks. 1 to 3: the right hand takes the thread at the last exit. 4: the left lets the needle go. 5 to 7: it takes the tail.
+/// Phase 0: looks; what is closed needs no other grip. 1 to 3: the right hand takes the thread at the last exit. 4: the left lets the needle go. 5 to 7: it takes the tail.
 bool runTakeTails(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   if (s.state.strand.holeCount < 2) { failure = "there is no stitch in the tissue"; return false; }
   if (e.phase == 0) {
+    if (opening(s.state, s.model) < kSnug) return true;
     e.place = needlePlace(s);
     nextPhase(s);
   } else if (e.phase <= 3) {
@@ -111,8 +114,9 @@ bool runTighten(const Scene& s, std::string&) {
     e.settled = 0.0;
     nextPhase(s);
   }
-  const double opening = s.state.metrics.openingArea / s.model.restOpening;                      // [1]
-  const bool closed = opening < kClosed;
+  const double open = opening(s.state, s.model);                                                 // [1]
+  const bool closed = open < kClosed;
+  bool exhausted = false;                      // an arm is stretched out and its tail still slack: both need a shorter grip
   double fastest = 0.0;                        // [1] of the tightening speed
   for (int h = 0; h < kHands; ++h) {
     e.felt[h] += s.dt / kFeelTime * (s.state.tools[h].threadForce.norm() - e.felt[h]);
@@ -120,10 +124,11 @@ bool runTighten(const Scene& s, std::string&) {
     const double pace = closed || e.drawn[h] >= kTightenReach ? std::fmin(0.0, slack) : std::fmin(1.0, slack);
     e.drawn[h] = std::fmax(0.0, e.drawn[h] + std::fmax(-1.0, pace) * kTightenSpeed * s.dt);
     fastest = std::fmax(fastest, pace);
+    exhausted = exhausted || e.drawn[h] >= kTightenReach;
     const Vec3 way = Vec3(h == kLeft ? -1.0 : 1.0, -0.35, 0.25).normalized();
     moveHand(s, h, {e.goal[h].position + e.drawn[h] * way, e.goal[h].orientation}, 0.1);
   }
-  e.settled = opening < kSnug || fastest < kTight ? e.settled + s.dt : 0.0;
+  e.settled = open < kSnug || exhausted || fastest < kTight ? e.settled + s.dt : 0.0;
   return e.settled > kHoldTight;
 }
 
