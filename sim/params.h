@@ -68,7 +68,7 @@ struct ToolParams {                            // [tool.left], [tool.right]
 struct AnatomyParams {                         // [anatomy]
   std::string mesh;                            // mesh: a surface file; empty = the procedural colon
   double scale = 1.0;                          // scale [m per mesh unit]
-  std::string segment;                         // segment: which stretch of the tube; empty = the default end
+  std::string segment;                         // segment: which stretch of the tube; empty = the straightest with the roundest rim
   double radius = 18e-3;                       // radius [m] of the procedural tube's outer wall
   double length = 60e-3;                       // length [m]
   double wall = 2e-3;                          // wall [m]

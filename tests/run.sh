@@ -70,8 +70,8 @@ address_sanitizer() {
 # Thread sanitizer over the whole program in real time with virtual devices, the carriers, and the haptic code.
 thread_sanitizer() {
   export TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1:suppressions=$PWD/tests/support/tsan.supp
-  build tsan halsted halsted_app_tests halsted_haptics_tests || return 1
-  local filter=(-R 'TripleBuffer|SpscRing|Train|Haptic|HandLoop')
+  build tsan halsted halsted_app_tests halsted_haptics_tests halsted_hd_tests halsted_vendor_tests || return 1
+  local filter=(-R 'TripleBuffer|SpscRing|Train|Haptic|HandLoop|^hd\.|^vendor\.' -E 'InstalledLibrary')
   [ "$mode" = full ] && filter=(-LE lint)
   timeout 3000 ctest --test-dir build/tsan -j 1 --output-on-failure "${filter[@]}"
 }
