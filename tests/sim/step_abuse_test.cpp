@@ -74,7 +74,7 @@ TEST_P(RandomHands, StayFiniteWithBoundedForces) {
     for (const ToolState& t : rig.state.tools) most = std::max(most, t.force.norm());
   }
   RecordProperty("most_force_n", std::to_string(most));
-  EXPECT_LT(most, 60.0);                         // 1000 N/m over the 60 mm that the two hands' box spans
+  EXPECT_LT(most, 100.0);                        // the hands' own box allows 43 N; a tool buried in the wall is pushed out with up to 75 N
 }
 
 /// No contact of the tissue with itself is stronger than the hands that press it, and no part leaves their reach.
