@@ -49,7 +49,7 @@ Vec3 rejoined(const HandLoopConfig& config, const Vec3& device, double dt, std::
   const bool away = (faults & (kFaultDeviceGone | kFaultDeviceSilent)) != 0;
   const bool back = state.away && !away;
   state.away = away;
-  if (away) return device;
+  if (away || (faults & kFaultBadReading) != 0) return device;   // stands where it was, on its way or not
   if (back) state.rejoin = state.lastPosition - device;
   if (state.rejoin == Vec3::Zero()) return device;               // to the bit
   const double left = std::sqrt(state.rejoin.dot(state.rejoin));  // [m]
