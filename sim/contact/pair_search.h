@@ -1,10 +1,10 @@
 #pragma once
 /// Tissue against itself: which surface vertices are so near to which triangles that a contact may follow. The search is spread over
-/// `kRound` steps, every kRound-th triangle in each, so that no step pays for all of it. Nothing else is carried from step to step: a
+/// kPairRound steps, every kPairRound-th triangle in each, so that no step pays for all of it. Nothing else is carried from step to step: a
 /// turn looks at the vertices where they are now. Physics thread; no heap.
 ///
-/// A vertex that comes nearer than kPairReach between two looks is found while it is no deeper than kBehind, whatever closes slower
-/// than (kPairReach + kBehind) / round: 0.27 m/s at a step of 1 ms.
+/// A vertex that comes nearer than kPairReach between two looks is found while it is no deeper than kPairBehind, whatever closes
+/// slower than (kPairReach + kPairBehind) / kPairRound: 0.27 m/s at a step of 1 ms.
 #include <array>
 #include <span>
 

@@ -98,30 +98,7 @@ TEST(Channel, SlackIsUsedUpFromTheNeedleSideFirst) {
   EXPECT_GT(start[0] - w.state.strand.holes[0].coordinate, 5e-3);              // and then it runs
 }
 
-TEST(Channel, DrawingSlackKeepsLengthOrderAndContinuity) {
-  TwoBites w;                                    // 9 of the 10.4 mm of slack are drawn
-  w.run(300);
-  double worst = 0.0, jump = 0.0, slid = 0.0;    // [1], [m], [m]
-  for (int k = 0; k < 900; ++k) {
-    const StrandState before = w.state.strand;
-    w.pull(1e-5 * Vec3::UnitX());
-    const StrandState& s = w.state.strand;
-    ASSERT_EQ(s.holeCount, 4);
-    double length = 0.0;                         // [m]
-    for (std::size_t i = 0; i + 1 < s.position.size(); ++i) length += (s.position[i + 1] - s.position[i]).norm();
-    worst = std::max(worst, std::fabs(length / w.model.strand.length - 1.0));
-    for (std::size_t i = 0; i < s.position.size(); ++i) jump = std::max(jump, (s.position[i] - before.position[i]).norm());
-    for (int h = 0; h < 4; ++h) slid = std::max(slid, std::fabs(s.holes[h].coordinate - before.holes[h].coordinate));
-    for (int h = 0; h + 1 < 4; ++h) ASSERT_LT(s.holes[h].coordinate, s.holes[h + 1].coordinate) << "step " << k;
-  }
-  RecordProperty("length_error", std::to_string(worst));
-  RecordProperty("largest_node_step_mm", std::to_string(1e3 * jump));
-  RecordProperty("largest_slide_mm", std::to_string(1e3 * slid));
-  EXPECT_LT(worst, 1e-3);
-  EXPECT_LT(jump, 1e-3);                         // 1 m/s, a hundred times the hand
-  EXPECT_LE(slid, 1e-3 + 1e-12);
-}
-
+/// The slack, then the tight loop and the running thread.
 TEST(Channel, PullingKeepsLengthOrderAndContinuity) {
   TwoBites w;
   w.run(300);
