@@ -12,6 +12,7 @@
 #include "app/report.h"
 #include "app/session/session_writer.h"
 #include "app/verifier.h"
+#include "sim/outcome.h"
 
 namespace halsted::app {
 namespace {
@@ -103,7 +104,8 @@ int play(const PlayOptions& options, const WatcherMaker& makeWatcher) {
 
   const double wall = runThrough(options, run, audience);        // [s]
   if (audience.recorder) finishRecording(*audience.recorder, run);
-  const RunSummary summary = summariseRun(scenario.scene.name, scenario.scene.title, scenario.model, run.state(), run.stepTimes(), wall);
+  RunSummary summary = summariseRun(scenario.scene.name, scenario.scene.title, scenario.model, run.state(), run.stepTimes(), wall);
+  for (const auto& row : summarise(testOutcome(scenario.model, run.state()))) summary.metrics.push_back(row);
   if (!options.report.empty()) writeReport(options.report, summary, audience.trace);
   std::fputs((options.json ? jsonOf(summary, "") : textOf(summary)).c_str(), stdout);
   return verdict(options, run, audience, summary);

@@ -17,7 +17,7 @@ RenderScene renderScene(const Scenario& scenario) {
   scene.threadNodes = threadNodes(scenario.model);
   scene.threadRadius = params.thread.radius;
   scene.needle = {params.needle.arcLength / params.needle.arcAngle, params.needle.arcAngle, params.needle.wireRadius};
-  scene.rods = {{params.anvil.from, params.anvil.to, params.anvil.radius}};
+  if (params.anvil.radius > 0.0) scene.rods = {{params.anvil.from, params.anvil.to, params.anvil.radius}};
   for (int hand = 0; hand < kHands; ++hand) {
     const auto& tool = params.tools[hand];
     scene.tools[hand] = tool.kind;

@@ -4,6 +4,7 @@
 #include "scenes/procedural_colon.h"
 #include "scenes/scene.h"
 #include "scenes/tube.h"
+#include "scenes/two_ends.h"
 
 namespace halsted::scenes {
 
@@ -12,7 +13,9 @@ TetMesh buildAnatomy(const SceneFile& scene) {
   const bool real = !anatomy.mesh.empty();
   const Surface surface = real ? readSurface(anatomy.mesh, anatomy.scale) : Surface{};
   try {
-    return real ? tubeSegment(surface, anatomy) : proceduralColon(anatomy);
+    const TetMesh one = real ? tubeSegment(surface, anatomy) : proceduralColon(anatomy);
+    if (anatomy.layout == "two_ends") return twoEnds(one, anatomy.gap);
+    return anatomy.layout == "end_to_end" ? endToEnd(one, anatomy.gap) : one;
   } catch (const InputError& error) {
     throw InputError((real ? quoted(anatomy.mesh) : quoted(scene.folder) + "/scene.toml") + ": anatomy: " + error.what());
   }

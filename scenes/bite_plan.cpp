@@ -40,12 +40,14 @@ void intersect(const Model& m, int triangle, const Vec3& from, const Vec3& direc
 
 }  // namespace
 
-TissuePlace placeOnWall(const Model& m, double angleDegrees, double depth) {
-  const double angle = angleDegrees * kPi / 180.0;
-  const Vec3 direction(cosine(angle), sine(angle), 0.0), from(0.0, 0.0, -depth);
+TissuePlace placeOnWall(const Model& m, const WallSpot& spot) {
+  if (spot.bowel >= m.bowels.count) return {};
+  const double angle = spot.angleDegrees * kPi / 180.0;
+  const Opening& o = m.bowels.opening[spot.bowel];
+  const Vec3 direction = cosine(angle) * o.right + sine(angle) * o.up, from = o.centre - spot.depth * o.axis;
   Hit best;
   for (std::size_t f = 0; f < m.surface.triangles.size(); ++f)
-    if (m.mesh.triangleLayer[f] == 0) intersect(m, static_cast<int>(f), from, direction, best);
+    if (m.mesh.triangleLayer[f] == 0 && m.bowels.of[m.surface.triangles[f][0]] == spot.bowel) intersect(m, static_cast<int>(f), from, direction, best);
   return best.place;
 }
 
@@ -59,28 +61,37 @@ Vec3 normalOf(const Model& m, const State& s, const TissuePlace& p) {
 
 bool planPlaces(const Model& m, const ExpertAction& a, BitePlan& plan) {
   if (a.width > 1.8 * m.strand.needle.radius) return false;
-  plan.entry = placeOnWall(m, a.angleDegrees, a.depth);
+  plan.entry = placeOnWall(m, {a.bowel, a.angleDegrees, a.depth});
   if (plan.entry.triangle < 0) return false;
+  if (a.exitDepth > 0.0) {                     // toward the edge or away from it
+    plan.exit = placeOnWall(m, {a.bowel, a.angleDegrees, a.exitDepth});
+    plan.middleDegrees = a.angleDegrees;
+    return plan.exit.triangle >= 0;
+  }
   const Vec3 start = pointOn(m.surface, m.mesh.vertices, plan.entry.triangle, plan.entry.weight);
+  const double way = a.counterClockwise ? 1.0 : -1.0;            // [1]
   for (double step = kClockwiseStep; step < 90.0; step += kClockwiseStep) {
-    plan.exit = placeOnWall(m, a.angleDegrees - step, a.depth);
+    plan.exit = placeOnWall(m, {a.bowel, a.angleDegrees + way * step, a.depth});
     if (plan.exit.triangle < 0) return false;
     if ((pointOn(m.surface, m.mesh.vertices, plan.exit.triangle, plan.exit.weight) - start).norm() >= a.width) {
-      plan.middleDegrees = a.angleDegrees - 0.5 * step;
+      plan.middleDegrees = a.angleDegrees + way * 0.5 * step;
       return true;
     }
   }
   return false;
 }
 
-void planCircle(const Model& m, const State& s, double width, double dip, BitePlan& plan) {
+void planCircle(const Model& m, const State& s, const ExpertAction& a, double dip, BitePlan& plan) {
   const Vec3 entry = positionOf(m, s, plan.entry), exit = positionOf(m, s, plan.exit);
   plan.along = (exit - entry).normalized();
   Vec3 out = normalOf(m, s, plan.entry) + normalOf(m, s, plan.exit);
-  plan.out = (out - out.dot(plan.along) * plan.along).normalized();
+  out = (out - out.dot(plan.along) * plan.along).normalized();
+  const double lean = a.tilt * kPi / 180.0;                      // [rad]
+  plan.out = lean == 0.0 ? out : Vec3(cosine(lean) * out + sine(lean) * plan.along.cross(out));
   plan.axis = plan.along.cross(plan.out);
+  const double width = a.exitDepth > 0.0 ? std::fabs(a.depth - a.exitDepth) : a.width;           // [m]
   const double r = m.strand.needle.radius, half = 0.5 * std::fmin(width, (exit - entry).norm());
-  plan.centre = 0.5 * (entry + exit) + (std::sqrt(r * r - half * half) - dip) * plan.out;
+  plan.centre = 0.5 * (entry + exit) + (std::sqrt(r * r - half * half) - (dip + a.sink)) * plan.out;
   plan.exitAngle = arcSine(half / r);
   plan.entryAngle = -plan.exitAngle;
 }

@@ -10,8 +10,11 @@ struct TissuePlace {
   std::array<double, 3> weight{};              // [1]
 };
 
-/// Outermost wall at an angle round the opening and a depth behind the rim, in the anatomy at rest. triangle -1: there is none.
-TissuePlace placeOnWall(const Model&, double angleDegrees, double depth);   // [deg], [m]
+/// A direction and a depth on one of the scene's bowels.
+struct WallSpot { int bowel = 0; double angleDegrees = 0.0, depth = 0.0; };   // [deg] round its opening, [m] behind its rim
+
+/// Outermost wall there, in the anatomy at rest. triangle -1: there is none.
+TissuePlace placeOnWall(const Model&, const WallSpot&);
 Vec3 positionOf(const Model&, const State&, const TissuePlace&);            // [m]
 Vec3 normalOf(const Model&, const State&, const TissuePlace&);              // [1] outward
 
@@ -27,7 +30,7 @@ struct BitePlan {
 /// False when the wall has no such place or the needle is too small for the width.
 bool planPlaces(const Model&, const ExpertAction&, BitePlan&);
 /// Looks at the tissue as it lies now; `dip` sets the circle deeper than the places ask, for the wall dimples.  [m] [m]
-void planCircle(const Model&, const State&, double width, double dip, BitePlan&);
+void planCircle(const Model&, const State&, const ExpertAction&, double dip, BitePlan&);
 
 /// Needle pose with its tip at an angle on the circle, the circle moved by `offset` [m].
 Pose needleOnCircle(const Model&, const BitePlan&, double tipAngle, const Vec3& offset);   // [rad]

@@ -18,6 +18,8 @@ struct NumberKey {
 
 constexpr NumberKey kNumbers[] = {
     {"angle_deg", &ExpertAction::angleDegrees, -360.0, 360.0, 1.0}, {"depth_mm", &ExpertAction::depth, 1.0, 15.0, 1e-3},
+    {"exit_depth_mm", &ExpertAction::exitDepth, 1.0, 15.0, 1e-3},   {"sink_mm", &ExpertAction::sink, -1.0, 4.0, 1e-3},
+    {"tilt_deg", &ExpertAction::tilt, -45.0, 45.0, 1.0},
     {"width_mm", &ExpertAction::width, 2.0, 14.0, 1e-3},            {"pull_mm", &ExpertAction::pull, 0.0, 300.0, 1e-3},
     {"tension_n", &ExpertAction::tension, 0.05, 20.0, 1.0},         {"limit_s", &ExpertAction::seconds, 0.01, 600.0, 1.0},
 };
@@ -35,11 +37,23 @@ void readNumber(const toml::node& node, const std::string& where, const std::str
   throw InputError(where + ": unknown key");
 }
 
+int readBowel(const toml::node& node, const std::string& where) {
+  const double number = requireNumber(node, where);              // [1]
+  if (number != 1.0 && number != 2.0) throw InputError(where + ": must be 1 or 2");
+  return number == 1.0 ? 0 : 1;
+}
+
 ExpertAction readAction(const toml::table& table, const std::string& origin) {
   ExpertAction action;
   action.line = static_cast<int>(table.source().begin.line);
   for (const auto& [part, node] : table) {
     const std::string key(part.str()), where = whereIs(origin, node, "action." + key);
+    if (key == "bowel") { action.bowel = readBowel(node, where); continue; }
+    if (key == "counter_clockwise") {
+      if (!node.is_boolean()) throw InputError(where + ": must be true or false");
+      action.counterClockwise = *node.value<bool>();
+      continue;
+    }
     if (key != "do") { readNumber(node, where, key, action); continue; }
     action.kind = requireText(node, where);
     if (!isKind(action.kind)) throw InputError(where + ": '" + quoted(action.kind) + "' is not one of bite, take_tails, tighten, hold");

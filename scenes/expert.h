@@ -16,7 +16,12 @@ namespace halsted::scenes {
 struct ExpertAction {
   std::string kind;                            // "bite", "take_tails", "tighten", "hold": see scenes/expert_run.cpp
   double angleDegrees = 0.0;                   // angle_deg [deg] round the opening, 0 at +x, counter-clockwise seen by the surgeon
+  int bowel = 0;                               // bowel: 1 or 2 in the file, the left and the right one of two ends
   double depth = 5e-3;                         // depth_mm [m] entry from the rim
+  double exitDepth = 0.0;                      // exit_depth_mm [m] a bite across the edge comes out here, at the same angle; 0: along the rim
+  bool counterClockwise = false;               // counter_clockwise: the bite runs the other way along the rim
+  double sink = 0.0;                           // sink_mm [m] deeper than the places ask: through the mucosa and back
+  double tilt = 0.0;                           // tilt_deg [deg] of the needle's plane, lifts the driver's shaft off the wall
   double width = 6e-3;                         // width_mm [m] entry to exit, clockwise along the rim
   double pull = 0.03;                          // pull_mm [m] of thread drawn through after the bite
   double tension = 1.0;                        // tension_n [N] at which tightening stops

@@ -20,6 +20,7 @@ constexpr double kPullSpeed = 0.06;            // [m/s] thread through
 constexpr double kReach = 0.065;               // [m] an arm's move inside the device's workspace
 constexpr double kCounterDepth = 2.5e-3;       // [m] from the rim: where the forceps hold the wall against the needle
 constexpr double kHalfWall = 1e-3;             // [m]
+constexpr double kReachable = 0.5;             // [1] an opening that faces less toward the surgeon lets no forceps in
 
 enum Phase {
   kShow, kTakeOver, kTakeOverDown, kTakeOverClose, kLeave,       // needle from forceps to driver
@@ -78,7 +79,7 @@ bool tipInWall(const State& s) {
 void exchange(const Scene& s) {
   ExpertState& e = s.memory;
   if (e.phase == kShow) {
-    planCircle(s.model, s.state, s.action.width, kDip + e.attempt * kDeeper, e.plan);
+    planCircle(s.model, s.state, s.action, kDip + e.attempt * kDeeper, e.plan);
     e.tipAngle = e.plan.entryAngle - kLeadIn;
     if (s.state.tools[kRight].holdsNeedle) return goTo(s, kHold);
     const double away = 1.0 + 0.5 * (e.misses % 4);              // [1] missed where something is in the way: shown farther out
@@ -111,6 +112,7 @@ Pose counterGrip(const Scene& s) {
 void hold(const Scene& s) {
   ExpertState& e = s.memory;
   moveHand(s, kRight, toolFor(s, kRight, onCircle(s, kClear * e.plan.out)), 0.10);
+  if (s.model.bowels.opening[s.action.bowel].axis.z() < kReachable) return goTo(s, kNear);
   if (pickUp(s, kLeft, counterGrip(s), kHold)) nextPhase(s);
 }
 
@@ -129,7 +131,7 @@ void missed(const Scene& s, std::string& failure) {
 void drive(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   if (e.phase == kNear) {
-    planCircle(s.model, s.state, s.action.width, kDip + e.attempt * kDeeper, e.plan);
+    planCircle(s.model, s.state, s.action, kDip + e.attempt * kDeeper, e.plan);
     e.tipAngle = e.plan.entryAngle - kLeadIn;
     if (moveHand(s, kRight, toolFor(s, kRight, onCircle(s, kClear * e.plan.out)), 0.10) && s.inPhase > 0.3) nextPhase(s);
   } else if (e.phase == kBackOff) {
@@ -189,7 +191,7 @@ bool drawThrough(const Scene& s) {
 /// Looks for the places of this bite in the anatomy; false when there are none.
 bool choosePlaces(const Scene& s) {
   if (!planPlaces(s.model, s.action, s.memory.plan)) return false;
-  s.memory.counter = placeOnWall(s.model, s.memory.plan.middleDegrees, kCounterDepth);
+  s.memory.counter = placeOnWall(s.model, {s.action.bowel, s.memory.plan.middleDegrees, kCounterDepth});
   return s.memory.counter.triangle >= 0;
 }
 

@@ -20,6 +20,7 @@ constexpr double kFeelTime = 0.2;              // [s] thread that catches and sl
 constexpr double kTight = 0.3;                 // [1] of the speed: nothing comes any more
 constexpr double kHoldTight = 1.5;             // [s]
 constexpr double kSnug = 0.15, kClosed = 0.13; // [1] of the opening at rest: it lies on the anvil; no need to draw any more
+constexpr double kWallsMeet = 2e-3;            // [m] of gap between two ends that looks as open as an opening at rest
 
 /// Grip on the thread at a coordinate: from the surgeon's side, jaws opening across the thread, whichever way round is nearer.
 Pose threadGrip(const Scene& s, int hand, double coordinate) {
@@ -78,7 +79,10 @@ bool takeThread(const Scene& s, int hand, int first, double (*think)(const Scene
   return false;
 }
 
-double opening(const State& s, const Model& m) { return s.metrics.openingArea / m.restOpening; }   // [1]
+/// How open it still is: the opening of one end, or the gap between the walls of two.  [1]
+double opening(const State& s, const Model& m) {
+  return m.join.present() ? s.metrics.join.wallGap / kWallsMeet : s.metrics.openingArea / m.restOpening;
+}
 
 }  // namespace
 

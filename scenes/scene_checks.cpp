@@ -18,7 +18,11 @@ std::string placeOf(const std::string& origin, const SettingOrigins& origins, st
 }
 
 void checkAnatomy(const AnatomyParams& anatomy, const std::string& origin, const SettingOrigins& origins) {
-  if (2 * anatomy.around * anatomy.along > kMostParticles)
+  if (anatomy.layout != "one_end" && anatomy.layout != "two_ends" && anatomy.layout != "end_to_end")
+    throw InputError(placeOf(origin, origins, {"anatomy.layout"}) + ": '" + quoted(anatomy.layout) +
+                     "' is not one of one_end, two_ends, end_to_end");
+  const int ends = anatomy.layout == "one_end" ? 1 : 2;
+  if (2 * ends * anatomy.around * anatomy.along > kMostParticles)
     throw InputError(placeOf(origin, origins, {"anatomy.around", "anatomy.along"}) + ": 2 x around x along must be at most " +
                      std::to_string(kMostParticles) + " particles");
   if (anatomy.mesh.empty() && anatomy.wall + anatomy.haustraDepth > kThickestShare * anatomy.radius)

@@ -91,6 +91,8 @@ void addAnatomy(SimParams& params, Fields& fields) {
       {"anatomy.haustra_depth", &anatomy.haustraDepth, 0, 20e-3, "m"},
       {"anatomy.around", &anatomy.around, 8, 256, ""},
       {"anatomy.along", &anatomy.along, 3, 256, ""},
+      {"anatomy.layout", &anatomy.layout, 0, 40, "characters"},
+      {"anatomy.gap", &anatomy.gap, 1e-3, 0.1, "m"},
       {"anvil.from", &params.anvil.from, -1, 1, "m"},
       {"anvil.to", &params.anvil.to, -1, 1, "m"},
       {"anvil.radius", &params.anvil.radius, 0, 0.05, "m"},

@@ -99,10 +99,12 @@ HALSTED_FIELDS(ToolState, device, proxy, jaw, closed, ratchet, force, holdsNeedl
                contactWeight, contactNormal, contactForce, nearCount, nearTriangle)
 HALSTED_FIELDS(ProcedureState, current, heldDone, heldFault, stepStart, finished, faults, inFault, late)
 HALSTED_FIELDS(HandMetrics, pathLength, peakForce, forceSum, forceSteps, lastPosition, started)
-HALSTED_FIELDS(BiteMetrics, depth, spacing, entryAngle, width)
-HALSTED_FIELDS(MetricsState, hands, bites, biteCount, lastExit, acrossOpening, tears, peakStretch, peakTension, openingArea, restOpeningArea)
+HALSTED_FIELDS(BiteMetrics, depth, spacing, entryAngle, width, wallShare)
+HALSTED_FIELDS(JoinMetrics, crossings, rimGap, wallGap, inversion, sewnShare, tailDifference)
+HALSTED_FIELDS(MetricsState, hands, bites, biteCount, lastExit, acrossOpening, tears, peakStretch, peakTension, openingArea, restOpeningArea, join,
+               fullThickness, deepestTip, lastBowel)
 template <class V> void visitMembers(StepWork&, V&) {}   // scratch is not part of the state's value
-HALSTED_FIELDS(State, step, random, tissue, strand, tools, procedure, metrics, work)
+HALSTED_FIELDS(State, step, random, tissue, strand, tools, procedure, metrics, lumenPressure, work)
 
 #undef HALSTED_FIELDS
 

@@ -9,37 +9,33 @@ namespace halsted {
 namespace {
 
 constexpr double kLoaded = 0.02;               // [N] below it a hand is not working
+constexpr int kJoinInterval = 16;                  // steps between looks at the edges that are being joined
+constexpr double kThrough = 0.98;              // [1] of the wall: the needle was in the lumen
 constexpr int kStretchInterval = 16;           // steps between looks at every edge
 constexpr double kAcross = 0.8;                // [1] a chord whose middle is nearer to the centre than this share of the rim's radius
 
-Vec3 rimCentre(const TetMesh& mesh, std::span<const Vec3> x) {
-  Vec3 sum = Vec3::Zero();
-  for (int v : mesh.rim) sum += x[v];
-  return sum / static_cast<double>(mesh.rim.size());
-}
-
 /// Distance to the rim's outline [m], and its mean radius.
-double rimDistance(const TetMesh& mesh, std::span<const Vec3> x, const Vec3& p) {
+double rimDistance(std::span<const int> rim, std::span<const Vec3> x, const Vec3& p) {
   double best = 1e300;
-  for (std::size_t i = 0; i < mesh.rim.size(); ++i) {
-    const Vec3 &a = x[mesh.rim[i]], &b = x[mesh.rim[(i + 1) % mesh.rim.size()]];
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const Vec3 &a = x[rim[i]], &b = x[rim[(i + 1) % rim.size()]];
     best = std::fmin(best, (p - a - closestOnSegment(p, a, b) * (b - a)).norm());
   }
   return best;
 }
 
-double rimRadius(const TetMesh& mesh, std::span<const Vec3> x) {
-  const Vec3 centre = rimCentre(mesh, x);
+double rimRadius(std::span<const int> rim, std::span<const Vec3> x) {
+  const Vec3 centre = centreOf(rim, x);
   double sum = 0.0;                            // [m]
-  for (int v : mesh.rim) sum += (x[v] - centre).norm();
-  return sum / static_cast<double>(mesh.rim.size());
+  for (int v : rim) sum += (x[v] - centre).norm();
+  return sum / static_cast<double>(rim.size());
 }
 
 /// The chord from the last exit to this entry runs over the opening instead of along the rim. Both at rest.
-bool crossesOpening(const TetMesh& mesh, const Vec3& from, const Vec3& to) {
-  Vec3 middle = 0.5 * (from + to) - rimCentre(mesh, mesh.vertices);
+bool crossesOpening(std::span<const int> rim, std::span<const Vec3> x, const Vec3& from, const Vec3& to) {
+  Vec3 middle = 0.5 * (from + to) - centreOf(rim, x);
   middle.z() = 0.0;                            // the rim's plane faces +z at rest
-  return middle.norm() < kAcross * rimRadius(mesh, mesh.vertices);
+  return middle.norm() < kAcross * rimRadius(rim, x);
 }
 
 /// The entry of the bite that ends in this exit; the tip may have gone in elsewhere since.
@@ -53,17 +49,34 @@ void completeBite(const Model& m, const Hole& exit, State& s, StepOutput& out) {
   MetricsState& metrics = s.metrics;
   const Hole& entered = entryOf(s.strand, exit);
   const Vec3 at = holePoint(m, exit, m.mesh.vertices), entry = holePoint(m, entered, m.mesh.vertices);
-  const int i = metrics.biteCount++;
+  const int i = metrics.biteCount++, bowel = bowelOf(m, entered);
+  const std::vector<int>& rim = m.bowels.rim[bowel];
   if (i < kMaxBites) {
     BiteMetrics& b = metrics.bites[i];
     b.entryAngle = entered.entryCosine;
     b.width = (at - entry).norm();
-    b.depth = rimDistance(m.mesh, m.mesh.vertices, entry);
+    b.depth = rimDistance(rim, m.mesh.vertices, entry);
     b.spacing = i > 0 ? (entry - metrics.lastExit).norm() : 0.0;
+    b.wallShare = metrics.deepestTip;
   }
-  if (i > 0 && crossesOpening(m.mesh, metrics.lastExit, entry)) ++metrics.acrossOpening;
+  metrics.fullThickness += metrics.deepestTip > kThrough;
+  metrics.deepestTip = 0.0;
+  const bool sameBowel = metrics.lastBowel == bowel;
+  if (i > 0 && sameBowel && crossesOpening(rim, m.mesh.vertices, metrics.lastExit, entry)) ++metrics.acrossOpening;
   metrics.lastExit = at;
+  metrics.lastBowel = bowel;
   pushEvent(out, {s.step, EventKind::kBiteCompleted, -1, i, i < kMaxBites ? metrics.bites[i].depth : 0.0});
+}
+
+/// How deep in the wall the needle's tip is, and has been since the last bite was complete.
+void followTip(const Model& m, State& s) {
+  for (int i = 0; i < s.strand.holeCount; ++i) {
+    const Hole& h = s.strand.holes[i];
+    if (h.role != static_cast<std::int32_t>(HoleRole::kTip) && h.role != static_cast<std::int32_t>(HoleRole::kExit)) continue;
+    double share = 0.0;                        // [1]
+    for (int c = 0; c < 4; ++c) share += h.weight[c] * m.bowels.wallDepth[m.tissue.tets[h.tet][c]];
+    s.metrics.deepestTip = std::fmax(s.metrics.deepestTip, share);
+  }
 }
 
 /// A bite is complete when the whole needle has left its exit and thread lies in the wall.
@@ -106,6 +119,7 @@ void measureStretch(const Model& m, State& s) {
 double rimToRod(const Model& m, std::span<const Vec3> x) {
   const RodParams& rod = m.params.anvil;
   double sum = 0.0;                            // [m]
+  if (!(rod.radius > 0.0)) return 0.0;
   for (int v : m.mesh.rim) sum += (x[v] - rod.from - closestOnSegment(x[v], rod.from, rod.to) * (rod.to - rod.from)).norm() - rod.radius;
   return sum / static_cast<double>(m.mesh.rim.size());
 }
@@ -116,21 +130,28 @@ std::array<double, 2> tailTensions(const Model& m, const StrandState& s) {
   return {strandTension(m.strand, s, s.holes[0].coordinate, -1), strandTension(m.strand, s, s.holes[s.holeCount - 1].coordinate, 1)};
 }
 
-}  // namespace
-
-double openingArea(const TetMesh& mesh, std::span<const Vec3> x) {
-  const Vec3 centre = rimCentre(mesh, x);
-  Vec3 area = Vec3::Zero();                    // [m^2] twice
-  for (std::size_t i = 0; i < mesh.rim.size(); ++i) area += (x[mesh.rim[i]] - centre).cross(x[mesh.rim[(i + 1) % mesh.rim.size()]] - centre);
-  return 0.5 * area.norm();
+void measureJoined(const MetricsState& metrics, StepOutput& out) {
+  const auto set = [&](Quantity q, double value) { out.seen[static_cast<int>(q)] = value; };
+  const int last = metrics.biteCount < kMaxBites ? metrics.biteCount - 1 : kMaxBites - 1;
+  set(Quantity::kCrossings, metrics.join.crossings);
+  set(Quantity::kRimGap, metrics.join.rimGap);
+  set(Quantity::kWallGap, metrics.join.wallGap);
+  set(Quantity::kInversion, metrics.join.inversion);
+  set(Quantity::kTailDifference, metrics.join.tailDifference);
+  set(Quantity::kWallShare, last >= 0 ? metrics.bites[last].wallShare : 0.0);
+  set(Quantity::kFullThickness, metrics.fullThickness);
 }
+
+}  // namespace
 
 void measure(const Model& m, State& s, StepOutput& out) {
   measureHands(s);
+  followTip(m, s);
   countBites(m, s, out);
+  if (s.step % kJoinInterval == 0) measureJoin(m, s);
   measureStretch(m, s);
   MetricsState& metrics = s.metrics;
-  metrics.openingArea = openingArea(m.mesh, s.tissue.position);
+  metrics.openingArea = enclosedArea(m.bowels.rim[0], s.tissue.position);
   metrics.restOpeningArea = m.restOpening;
   for (double t : s.strand.tension) metrics.peakTension = std::fmax(metrics.peakTension, t);
   const auto tails = tailTensions(m, s.strand);
@@ -149,6 +170,7 @@ void measure(const Model& m, State& s, StepOutput& out) {
   set(Quantity::kTailsHeld, (s.tools[0].threadCoordinate >= 0.0) + (s.tools[1].threadCoordinate >= 0.0));
   set(Quantity::kPeakForce, std::fmax(metrics.hands[0].peakForce, metrics.hands[1].peakForce));
   set(Quantity::kTears, metrics.tears);
+  measureJoined(metrics, out);
 }
 
 }  // namespace halsted

@@ -8,8 +8,4 @@ namespace halsted {
 
 void measure(const Model&, State&, StepOutput&);
 
-/// Area enclosed by the rim's outline [m^2].
-double openingArea(const TetMesh&, std::span<const Vec3> tissue);
-
-
 }  // namespace halsted

@@ -38,9 +38,20 @@ void addBites(Rows& rows, const MetricsState& m) {
   const int count = std::clamp<int>(m.biteCount, 0, kMaxBites);
   addSpread(rows, "bite_depth", "m", spread(m, 0, count, [](const BiteMetrics& b) { return b.depth; }));
   addSpread(rows, "bite_width", "m", spread(m, 0, count, [](const BiteMetrics& b) { return b.width; }));
+  addSpread(rows, "wall_share", "1", spread(m, 0, count, [](const BiteMetrics& b) { return b.wallShare; }));
   // The first bite has no predecessor to be spaced from.
   addSpread(rows, "bite_spacing", "m", spread(m, 1, count, [](const BiteMetrics& b) { return b.spacing; }));
   addSpread(rows, "entry_angle", "deg", spread(m, 0, count, [](const BiteMetrics& b) { return degrees(b.entryAngle); }));
+}
+
+/// Of a scene with two ends.
+void addJoin(Rows& rows, const JoinMetrics& join) {
+  if (join.rimGap == 0.0 && join.wallGap == 0.0 && join.crossings == 0) return;
+  rows.emplace_back("crossings", join.crossings);
+  rows.emplace_back("rim_gap_m", join.rimGap);
+  rows.emplace_back("wall_gap_m", join.wallGap);
+  rows.emplace_back("inversion_deg", 90.0 - degrees(join.inversion));
+  rows.emplace_back("tail_difference_m", join.tailDifference);
 }
 
 }  // namespace
@@ -63,6 +74,8 @@ Rows summarise(const MetricsState& m, double time) {     // time [s]
   rows.emplace_back("peak_tension_n", m.peakTension);
   rows.emplace_back("opening_area_m2", m.openingArea);
   rows.emplace_back("opening_fraction_1", m.restOpeningArea > 0.0 ? m.openingArea / m.restOpeningArea : 1.0);
+  rows.emplace_back("full_thickness_bites", m.fullThickness);
+  addJoin(rows, m.join);
   return rows;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/join.h"
 #include "sim/types.h"
 
 namespace halsted {
@@ -23,6 +24,7 @@ struct BiteMetrics {
   double spacing = 0.0;                        // [m] from the previous exit
   double entryAngle = 0.0;                     // [1] cosine of the angle between needle tangent and inward normal at entry
   double width = 0.0;                          // [m] entry to exit
+  double wallShare = 0.0;                      // [1] deepest point of the needle's way: 0 serosa, 1 mucosa
 };
 
 inline constexpr int kMaxBites = 24;
@@ -38,6 +40,10 @@ struct MetricsState {
   double peakTension = 0.0;                    // [N]
   double openingArea = 0.0;                    // [m^2] now
   double restOpeningArea = 0.0;                // [m^2] at the first step
+  JoinMetrics join;                            // of two ends that are being joined
+  std::int32_t fullThickness = 0;              // bites that went through the mucosa
+  double deepestTip = 0.0;                     // [1] share of the wall that the needle's tip has reached since the last bite
+  std::int32_t lastBowel = 0;                  // of the last bite
 };
 
 /// Name (with its unit as a suffix) and value, for `replay --json` and reports; read on any thread that owns a copy.  time [s]

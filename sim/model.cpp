@@ -3,7 +3,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/measure.h"
 
 namespace halsted {
 namespace {
@@ -25,15 +24,17 @@ Model buildModel(const SimParams& params, TetMesh mesh, std::vector<ProcedureSte
   if (mesh.rim.size() < 3) throw std::invalid_argument("anatomy: the mesh has no open rim");
   if (procedure.size() > kMaxProcedureSteps) throw std::invalid_argument("procedure: more steps than fit");
   for (const ToolParams& t : params.tools) checkTool(t);
-  if (!(params.anvil.radius > 0.0)) throw std::invalid_argument("anvil.radius must be positive");
+  if (!(params.anvil.radius >= 0.0)) throw std::invalid_argument("anvil.radius must not be negative");
   Model m;
   m.params = params;
   m.tissue = buildTissue(mesh, params);
   m.surface = buildSurface(mesh);
   m.strand = buildStrand(params);
+  m.bowels = findBowels(mesh);
+  m.join = buildJoin(mesh, m.bowels, m.surface);
   m.mesh = std::move(mesh);
   m.procedure = std::move(procedure);
-  m.restOpening = openingArea(m.mesh, m.mesh.vertices);
+  m.restOpening = enclosedArea(m.bowels.rim[0], m.mesh.vertices);
   return m;
 }
 

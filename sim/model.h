@@ -3,7 +3,9 @@
 #include <array>
 #include <vector>
 
+#include "sim/bowels.h"
 #include "sim/contact/surface.h"
+#include "sim/join.h"
 #include "sim/mesh.h"
 #include "sim/params.h"
 #include "sim/procedure.h"
@@ -20,6 +22,8 @@ struct Model {
   TissueModel tissue;                          // solver data: masses, factor, inverse
   StrandModel strand;                          // thread and needle: masses, rest lengths, arc samples
   std::vector<ProcedureStep> procedure;
+  Bowels bowels;                               // which end each vertex belongs to, and its rim
+  JoinModel join;                              // of a scene with two ends
   double restOpening = 0.0;                    // [m^2] area of the rim's outline at rest
 };
 

@@ -74,6 +74,8 @@ struct AnatomyParams {                         // [anatomy]
   double wall = 2e-3;                          // wall [m]
   double haustraDepth = 2.0e-3;                // haustra_depth [m]
   int around = 34, along = 18;                 // around, along [1] grid of one layer; two layers
+  std::string layout = "one_end";              // layout = "one_end" | "two_ends" | "end_to_end"
+  double gap = 8e-3;                           // gap [m] between the walls of two ends
 };
 
 struct RodParams {                             // [anvil]

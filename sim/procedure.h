@@ -26,6 +26,13 @@ enum class Quantity : std::uint8_t {
   kTailsHeld,              // tails_held               [1] hands that hold the thread
   kPeakForce,              // peak_force               [N] largest force on a hand so far
   kTears,                  // tears                    [1] channels torn
+  kCrossings,              // crossings                [1] stretches of thread from one bowel to the other
+  kRimGap,                 // rim_gap                  [m] largest distance of the two edges along the sewn stretch
+  kWallGap,                // wall_gap                 [m] the same between the outer walls near the edges
+  kInversion,              // inversion                [1] sine of the edges' mean turn toward their lumen
+  kTailDifference,         // tail_difference          [m] between the lengths of the two tails
+  kWallShare,              // wall_share               [1] depth of the last bite in the wall: 0 serosa, 1 mucosa
+  kFullThickness,          // full_thickness           [1] bites that went through the mucosa
   kCount
 };
 inline constexpr int kQuantities = static_cast<int>(Quantity::kCount);

@@ -23,6 +23,7 @@ struct State {
   std::array<ToolState, kHands> tools;
   ProcedureState procedure;
   MetricsState metrics;
+  double lumenPressure = 0.0;                  // [Pa] on the lumen's wall; only a leak test raises it (sim/outcome.h)
   StepWork work;                               // scratch: not hashed, saved or compared
 };
 

@@ -2,6 +2,7 @@
 
 #include "sim/contact/tissue_contact.h"
 #include "sim/measure.h"
+#include "sim/outcome.h"
 #include "sim/suture/holes.h"
 #include "sim/suture/strand_contacts.h"
 #include "sim/tissue/tissue.h"
@@ -26,6 +27,7 @@ void carryForces(const Model& m, State& s) {
   gatherContactForces(m, s.strand, s.work.force);
   gatherTouchForces(m, s, s.work.force);
   gatherTissueContact(m, s, s.work.force);
+  gatherPressure(m, s, s.work.force);
 }
 
 /// A sample that is not a number moves nothing: the tool stays where it was.

@@ -100,6 +100,7 @@ void solvePairs(const Model& m, State& s) {
 
 void solveRod(const Model& m, State& s) {
   TissueState& t = s.tissue;
+  if (!(m.params.anvil.radius > 0.0)) return;
   for (int v : m.surface.vertices) {
     const Vec3 old = t.rodForce[v];
     const RodGap g = rodGap(m, t, v);

@@ -19,7 +19,9 @@ std::array<CapsuleShape, kSolids> worldSolids(const Model& m, const State& s) {
     const auto parts = toolCapsules(m.params.tools[hand], s.tools[hand].jaw);
     for (int k = 0; k < kSolidsPerTool; ++k) all[hand * kSolidsPerTool + k] = placed(parts[k], s.tools[hand].proxy);
   }
-  all[kRod] = {m.params.anvil.from, m.params.anvil.to, m.params.anvil.radius};
+  const RodParams& rod = m.params.anvil;
+  const Vec3 nowhere(0.0, 0.0, -10.0);         // [m] a scene without an anvil: far below everything
+  all[kRod] = rod.radius > 0.0 ? CapsuleShape{rod.from, rod.to, rod.radius} : CapsuleShape{nowhere, nowhere, 0.0};
   return all;
 }
 
