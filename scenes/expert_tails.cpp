@@ -108,7 +108,8 @@ bool runTakeTails(const Scene& s, std::string& failure) {
   return false;
 }
 
-/// Both tails are drawn apart, crossed as for a knot: each hand pulls over the other's hole, so the gap between them closes too. Each
+/// Both tails of a purse-string are drawn apart, crossed as for a knot: each hand pulls over the other's hole, so the gap between them closes
+/// too. The tails of a seam are drawn toward its middle and up, which brings the two sides together. Each
 /// hand feels its own tail: it draws until that is tight, gives way when it is too tight, and stops when the opening is closed.
 bool runTighten(const Scene& s, std::string&) {
   ExpertState& e = s.memory;
@@ -129,7 +130,8 @@ bool runTighten(const Scene& s, std::string&) {
     e.drawn[h] = std::fmax(0.0, e.drawn[h] + std::fmax(-1.0, pace) * kTightenSpeed * s.dt);
     fastest = std::fmax(fastest, pace);
     exhausted = exhausted || e.drawn[h] >= kTightenReach;
-    const Vec3 way = Vec3(h == kLeft ? -1.0 : 1.0, -0.35, 0.25).normalized();
+    const double side = h == kLeft ? -1.0 : 1.0;                                                 // [1]
+    const Vec3 way = (s.model.join.present() ? Vec3(-0.35 * side, 0.6, 0.7) : Vec3(side, -0.35, 0.25)).normalized();
     moveHand(s, h, {e.goal[h].position + e.drawn[h] * way, e.goal[h].orientation}, 0.1);
   }
   e.settled = open < kSnug || exhausted || fastest < kTight ? e.settled + s.dt : 0.0;
