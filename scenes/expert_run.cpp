@@ -13,6 +13,8 @@ bool runAction(const Scene& scene, std::string& failure) {
   if (scene.action.kind == "bite") return runBite(scene, failure);
   if (scene.action.kind == "take_tails") return runTakeTails(scene, failure);
   if (scene.action.kind == "tighten") return runTighten(scene, failure);
+  if (scene.action.kind == "tie") return runTie(scene, failure);
+  if (scene.action.kind == "let_go") return runLetGo(scene);
   return scene.inPhase >= scene.action.seconds;                  // hold
 }
 

@@ -149,6 +149,15 @@ void measure(const Model& m, State& s, StepOutput& out) {
   set(Quantity::kTailsHeld, (s.tools[0].threadCoordinate >= 0.0) + (s.tools[1].threadCoordinate >= 0.0));
   set(Quantity::kPeakForce, std::fmax(metrics.hands[0].peakForce, metrics.hands[1].peakForce));
   set(Quantity::kTears, metrics.tears);
+  const KnotState& knot = s.knot;
+  set(Quantity::kThrows, knot.throws);
+  set(Quantity::kKnotLocks, locks(knot));
+  set(Quantity::kWrongThrows, slides(knot));
+  set(Quantity::kFirstTurns, knot.turns[0]);
+  set(Quantity::kKnotGap, knot.gap);
+  set(Quantity::kKnotSize, knot.size);
+  set(Quantity::kToolTurns, knot.toolTurns[kRight] < 0 ? -knot.toolTurns[kRight] : knot.toolTurns[kRight]);
+  set(Quantity::kThreadBreaks, knot.breaks);
 }
 
 }  // namespace halsted
