@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "scenes/knot_plan.h"
 #include "scenes/scene.h"
 #include "scenes/toml_input.h"
 
@@ -22,9 +23,13 @@ constexpr NumberKey kNumbers[] = {
     {"tilt_deg", &ExpertAction::tilt, -45.0, 45.0, 1.0},
     {"width_mm", &ExpertAction::width, 2.0, 14.0, 1e-3},            {"pull_mm", &ExpertAction::pull, 0.0, 300.0, 1e-3},
     {"tension_n", &ExpertAction::tension, 0.05, 20.0, 1.0},         {"limit_s", &ExpertAction::seconds, 0.01, 600.0, 1.0},
+    {"long_end_mm", &ExpertAction::longEnd, 30.0, 120.0, 1e-3},
 };
 
-bool isKind(const std::string& text) { return text == "bite" || text == "take_tails" || text == "tighten" || text == "hold"; }
+bool isKind(const std::string& text) {
+  if (text == "cut" || text == "take_stay" || text == "traction") return true;
+  return text == "bite" || text == "take_tails" || text == "tighten" || text == "tie" || text == "let_go" || text == "hold";
+}
 
 void readNumber(const toml::node& node, const std::string& where, const std::string& key, ExpertAction& action) {
   for (const NumberKey& n : kNumbers) {
@@ -54,10 +59,17 @@ ExpertAction readAction(const toml::table& table, const std::string& origin) {
       action.counterClockwise = *node.value<bool>();
       continue;
     }
+    if (key == "tie") {
+      action.tie = requireText(node, where);
+      if (parseThrows(action.tie).empty())
+        throw InputError(where + ": '" + quoted(action.tie) + "' is not a knot: turns 1 to 3 joined by = or x, such as 1=1 or 2=1=1");
+      continue;
+    }
     if (key != "do") { readNumber(node, where, key, action); continue; }
     action.kind = requireText(node, where);
-    if (!isKind(action.kind)) throw InputError(where + ": '" + quoted(action.kind) + "' is not one of bite, take_tails, tighten, hold");
+    if (!isKind(action.kind)) throw InputError(where + ": '" + quoted(action.kind) + "' is not one of bite, take_tails, tighten, tie, cut, take_stay, traction, let_go, hold");
   }
+  if (action.kind == "tie" && action.tie.empty()) throw InputError(whereIs(origin, table, "action") + ": do = \"tie\" has no tie = \"1=1\"");
   if (action.kind.empty()) throw InputError(whereIs(origin, table, "action") + ": has no do");
   return action;
 }

@@ -14,7 +14,7 @@
 namespace halsted::scenes {
 
 struct ExpertAction {
-  std::string kind;                            // "bite", "take_tails", "tighten", "hold": see scenes/expert_run.cpp
+  std::string kind;                            // "bite", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go", "hold": see scenes/expert_run.cpp
   double angleDegrees = 0.0;                   // angle_deg [deg] round the opening, 0 at +x, counter-clockwise seen by the surgeon
   int bowel = 0;                               // bowel: 1 or 2 in the file, the left and the right one of two ends
   double depth = 5e-3;                         // depth_mm [m] entry from the rim
@@ -26,6 +26,8 @@ struct ExpertAction {
   double pull = 0.03;                          // pull_mm [m] of thread drawn through after the bite
   double tension = 1.0;                        // tension_n [N] at which tightening stops
   double seconds = 60.0;                       // limit_s [s] of the action; of a hold, its length
+  std::string tie;                             // tie: throws as surgeons write them, "1=1", "2=1=1", "1x1"
+  double longEnd = 0.055;                      // long_end_mm [m] of thread between the stitch and the hand that winds it
   int line = 0;                                // in the file, for messages
 };
 

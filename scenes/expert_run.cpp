@@ -11,8 +11,12 @@ constexpr double kApproach = 0.02;             // [m] above what is to be picked
 
 bool runAction(const Scene& scene, std::string& failure) {
   if (scene.action.kind == "bite") return runBite(scene, failure);
-  if (scene.action.kind == "take_tails") return runTakeTails(scene, failure);
+  if (scene.action.kind == "cut") return runCut(scene, failure);
+  if (scene.action.kind == "traction") return runTraction(scene, failure);
+  if (scene.action.kind == "take_tails" || scene.action.kind == "take_stay") return runTakeTails(scene, failure);
   if (scene.action.kind == "tighten") return runTighten(scene, failure);
+  if (scene.action.kind == "tie") return runTie(scene, failure);
+  if (scene.action.kind == "let_go") return runLetGo(scene);
   return scene.inPhase >= scene.action.seconds;                  // hold
 }
 

@@ -3,6 +3,7 @@
 #include "scenes/bite_plan.h"
 #include "scenes/expert.h"
 #include "scenes/hand_motion.h"
+#include "scenes/knot_plan.h"
 
 namespace halsted::scenes {
 
@@ -26,8 +27,10 @@ struct ExpertState {
   std::array<double, kHands> drawn{};          // [m] of each tail
   std::array<double, kHands> felt{};           // [N] tension of each tail as the hand feels it
   double place = 0.0;                          // [m] coordinate where a tail is to be taken
+  std::int32_t cutsBefore = 0;                 // of the thread, before this cut
   double settled = 0.0;                        // [s] since the tails stopped coming
   std::array<Pose, kHands> goal;               // of the phase under way
+  KnotPlan knot;
 };
 
 /// What a phase may look at, and its clock.
@@ -44,6 +47,12 @@ struct Scene {
 bool runBite(const Scene&, std::string& failure);
 bool runTakeTails(const Scene&, std::string& failure);
 bool runTighten(const Scene&, std::string& failure);
+bool runCut(const Scene&, std::string& failure);
+bool runTraction(const Scene&, std::string& failure);
+/// One knot, throw after throw, with the right hand's driver; both hands hold the ends when it is done.
+bool runTie(const Scene&, std::string& failure);
+/// Both hands let go and rise.
+bool runLetGo(const Scene&);
 
 void nextPhase(const Scene&);
 
@@ -53,5 +62,7 @@ bool moveHand(const Scene&, int hand, const Pose& goal, double speed);   // [m/s
 /// Comes down on `grip` along the shaft with open jaws and closes them; true once closed. Uses phases `first` to `first + 2`.
 bool pickUp(const Scene&, int hand, const Pose& grip, int first);
 Pose parked(int hand);
+/// Grip on the thread at a coordinate: from the surgeon's side, jaws opening across the thread, whichever way round is nearer.
+Pose threadGrip(const Scene&, int hand, double coordinate);   // [m]
 
 }  // namespace halsted::scenes

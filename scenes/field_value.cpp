@@ -59,6 +59,10 @@ struct Setter {
 
   void operator()(double* out) const { *out = ranged(requireNumber(node, source.where)); }
   void operator()(int* out) const { *out = static_cast<int>(integer()); }
+  void operator()(bool* out) const {
+    if (!node.is_boolean()) throw InputError(source.where + ": must be true or false, is " + kindOf(node));
+    *out = *node.value<bool>();
+  }
   void operator()(std::uint64_t* out) const { *out = static_cast<std::uint64_t>(integer()); }
   void operator()(std::string* out) const { *out = text(); }
   void operator()(TissueSolver* out) const { named(kSolvers, *out); }

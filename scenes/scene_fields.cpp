@@ -53,6 +53,14 @@ void addStrand(SimParams& params, Fields& fields) {
       {"thread.bending_stiffness", &thread.bendingStiffness, 0, 1e-4, "N m^2"},
       {"thread.damping", &thread.damping, 0, 1e4, "1/s"},
       {"thread.channel_drag", &thread.channelDrag, 0, 1e4, "N/m"},
+      {"thread.knots", &thread.knots, 0, 1, ""},
+      {"thread.substeps", &thread.substeps, 1, 20, ""},
+      {"thread.fine_from", &thread.fineFrom, 0, 2, "m"},
+      {"thread.fine_to", &thread.fineTo, 0, 2, "m"},
+      {"thread.fine_segment", &thread.fineSegment, 0, 20e-3, "m"},
+      {"thread.friction", &thread.friction, 0, 2, ""},
+      {"thread.lateral_modulus", &thread.lateralModulus, 1e6, 1e10, "Pa"},
+      {"thread.breaking_tension", &thread.breakingTension, 0.1, 500, "N"},
       {"needle.arc_length", &needle.arcLength, 3e-3, 0.1, "m"},
       {"needle.arc_angle", &needle.arcAngle, 0.5, 5, "rad"},
       {"needle.wire_radius", &needle.wireRadius, 0.05e-3, 2e-3, "m"},
@@ -75,6 +83,7 @@ void addTool(const std::string& table, ToolParams& tool, Fields& fields) {
       {table + ".jaw_angle_degrees", &tool.jawAngleDegrees, 1, 120, "deg"},
       {table + ".capture_radius", &tool.captureRadius, 0.1e-3, 20e-3, "m"},
       {table + ".grip_force", &tool.gripForce, 0, 200, "N"},
+      {table + ".cutter", &tool.cutter, 0, 1, ""},
       {table + ".coupling_stiffness", &tool.couplingStiffness, 1, 1e5, "N/m"},
   });
 }

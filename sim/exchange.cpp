@@ -18,6 +18,10 @@ const char* name(EventKind kind) {
     case EventKind::kStepDone: return "step done";
     case EventKind::kFault: return "fault";
     case EventKind::kProcedureCompleted: return "procedure completed";
+    case EventKind::kThreadBroken: return "thread broken";
+    case EventKind::kThreadCut: return "thread cut";
+    case EventKind::kThrowTied: return "throw tied";
+    case EventKind::kThrowLost: return "throw lost";
   }
   return "unknown event";
 }

@@ -55,7 +55,8 @@ struct LocalContact {
 /// What happened in a step; recorded, shown and spoken, never used to steer physics.
 enum class EventKind : std::uint8_t {
   kNeedleEntered, kNeedleExited, kBiteCompleted, kNeedleGrasped, kNeedleReleased, kThreadGrasped, kThreadReleased,
-  kTissueGrasped, kTissueReleased, kChannelTorn, kChannelEmptied, kStepDone, kFault, kProcedureCompleted
+  kTissueGrasped, kTissueReleased, kChannelTorn, kChannelEmptied, kStepDone, kFault, kProcedureCompleted,
+  kThreadBroken, kThrowTied, kThrowLost, kThreadCut
 };
 const char* name(EventKind);
 

@@ -139,6 +139,7 @@ void measureJoined(const MetricsState& metrics, StepOutput& out) {
   set(Quantity::kInversion, metrics.join.inversion);
   set(Quantity::kTailDifference, metrics.join.tailDifference);
   set(Quantity::kWallShare, last >= 0 ? metrics.bites[last].wallShare : 0.0);
+  set(Quantity::kThreadCuts, metrics.threadCuts);
   set(Quantity::kFullThickness, metrics.fullThickness);
 }
 
@@ -171,6 +172,15 @@ void measure(const Model& m, State& s, StepOutput& out) {
   set(Quantity::kPeakForce, std::fmax(metrics.hands[0].peakForce, metrics.hands[1].peakForce));
   set(Quantity::kTears, metrics.tears);
   measureJoined(metrics, out);
+  const KnotState& knot = s.knot;
+  set(Quantity::kThrows, knot.throws);
+  set(Quantity::kKnotLocks, locks(knot));
+  set(Quantity::kWrongThrows, slides(knot));
+  set(Quantity::kFirstTurns, knot.turns[0]);
+  set(Quantity::kKnotGap, knot.gap);
+  set(Quantity::kKnotSize, knot.size);
+  set(Quantity::kToolTurns, knot.toolTurns[kRight] < 0 ? -knot.toolTurns[kRight] : knot.toolTurns[kRight]);
+  set(Quantity::kThreadBreaks, knot.breaks);
 }
 
 }  // namespace halsted

@@ -75,6 +75,7 @@ Rows summarise(const MetricsState& m, double time) {     // time [s]
   rows.emplace_back("opening_area_m2", m.openingArea);
   rows.emplace_back("opening_fraction_1", m.restOpeningArea > 0.0 ? m.openingArea / m.restOpeningArea : 1.0);
   rows.emplace_back("full_thickness_bites", m.fullThickness);
+  rows.emplace_back("thread_cuts", m.threadCuts);
   addJoin(rows, m.join);
   return rows;
 }

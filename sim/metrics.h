@@ -43,6 +43,7 @@ struct MetricsState {
   JoinMetrics join;                            // of two ends that are being joined
   std::int32_t fullThickness = 0;              // bites that went through the mucosa
   double deepestTip = 0.0;                     // [1] share of the wall that the needle's tip has reached since the last bite
+  std::int32_t threadCuts = 0;                 // with blades, not torn
   std::int32_t lastBowel = 0;                  // of the last bite
 };
 

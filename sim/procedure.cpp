@@ -6,7 +6,9 @@ namespace {
 constexpr std::array<const char*, kQuantities> kNames = {
     "time",          "needle_held",  "bites",            "stitch_across_opening", "bite_spacing", "bite_depth", "tail_tension",
     "peak_tension",  "opening_fraction", "rim_to_anvil", "tails_held",            "peak_force",   "tears",
-    "crossings",     "rim_gap",      "wall_gap",         "inversion",             "tail_difference", "wall_share", "full_thickness"};
+    "crossings",     "rim_gap",      "wall_gap",         "inversion",             "tail_difference", "wall_share", "thread_cuts", "full_thickness",
+    "throws",        "knot_locks",   "wrong_throws",     "first_turns",           "knot_gap",     "knot_size",  "tool_turns",
+    "thread_breaks"};
 static_assert(kNames.back() != nullptr, "every quantity has a name");
 
 bool holds(const Condition& condition, const Observation& seen) {

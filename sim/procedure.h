@@ -32,7 +32,16 @@ enum class Quantity : std::uint8_t {
   kInversion,              // inversion                [1] sine of the edges' mean turn toward their lumen
   kTailDifference,         // tail_difference          [m] between the lengths of the two tails
   kWallShare,              // wall_share               [1] depth of the last bite in the wall: 0 serosa, 1 mucosa
+  kThreadCuts,             // thread_cuts              [1] made with blades
   kFullThickness,          // full_thickness           [1] bites that went through the mucosa
+  kThrows,                 // throws                   [1] tied in the thread
+  kKnotLocks,              // knot_locks               [1] throws that lie square on the one before (=)
+  kWrongThrows,            // wrong_throws             [1] throws wound the same way as the one before (x): granny
+  kFirstTurns,             // first_turns              [1] turns of the first throw: 2 in a surgeon's knot
+  kKnotGap,                // knot_gap                 [m] thread between tissue and knot: more than a few mm is an air knot
+  kKnotSize,               // knot_size                [m] thread within the knot: a loose loop is long
+  kToolTurns,              // tool_turns               [1] turns of thread about the right tool, of either sense
+  kThreadBreaks,           // thread_breaks            [1] places where the thread has parted
   kCount
 };
 inline constexpr int kQuantities = static_cast<int>(Quantity::kCount);

@@ -8,7 +8,7 @@ inline constexpr double kNarrow = 0.5, kWide = 3.0;   // [1] of the radius: boun
 
 /// Fills `near` with all pairs that matter, in a fixed order, and `allowance` with half of each piece's clearance, within its bounds.
 /// False when there were more than fit.
-bool searchNear(const StrandModel&, const StrandState&, double dt, ThreadContactWork&);   // [s]
+bool searchNear(const StrandModel&, const StrandState&, double dt, ThreadTouch&);   // [s]
 
 /// Whether a pair could touch when both pieces stray as far as they may.
 bool mayTouch(const StrandState&, const NearPair&, double dt, const ThreadContactWork&);   // [s]

@@ -1,0 +1,84 @@
+/// After the knot: the needle is cut off with the driver's blades, and the tails are held as a stay.
+#include <cmath>
+
+#include "scenes/expert_state.h"
+#include "sim/strand/strand.h"
+
+namespace halsted::scenes {
+namespace {
+
+constexpr double kBlades = 9.5e-3;             // [m] from the driver's tips
+constexpr double kBeyondHand = 12e-3;          // [m] past the hand that holds the long end
+constexpr double kStub = 50e-3;                // [m] of thread left at the stitch where no hand holds it
+constexpr double kTractionSpeed = 0.015, kTractionReach = 0.08;  // [m/s] [m]
+constexpr double kFeelTime = 0.1, kFeel = 0.3; // [s] [N]
+constexpr double kHeld = 2.0;                  // [s]
+constexpr int kAttempts = 4;
+
+double lastHole(const Scene& s) { return s.state.strand.holes[s.state.strand.holeCount - 1].coordinate; }   // [m]
+
+/// Where the thread is to be cut: between the hand that holds it and the needle.  [m]
+double cutPlace(const Scene& s) {
+  const double held = s.state.tools[kLeft].threadCoordinate;     // [m]
+  const double place = held > lastHole(s) ? held + kBeyondHand : lastHole(s) + kStub;
+  return std::fmin(place + 4e-3 * s.memory.attempt, s.model.strand.length - 6e-3);
+}
+
+}  // namespace
+
+/// Phase 0: the driver comes free. 1 to 3: over the thread, the thread between the blades, closed. 4: up again.
+bool runCut(const Scene& s, std::string& failure) {
+  ExpertState& e = s.memory;
+  HandMotion& driver = e.hand[kRight];
+  if (s.state.strand.holeCount < 1) { failure = "there is no stitch in the tissue"; return false; }
+  if (e.phase == 0) {
+    if (s.inPhase < 1.5 * s.dt) e.goal[kRight] = above(driver.command, 0.03);
+    driver.jaw = s.inPhase < 0.2 ? 0.0 : 1.0;
+    if (s.inPhase < 0.5 || !moveHand(s, kRight, e.goal[kRight], 0.08)) return false;
+    e.cutsBefore = s.state.metrics.threadCuts;
+    e.place = cutPlace(s);
+    nextPhase(s);
+  } else if (e.phase <= 3) {
+    Pose grip = threadGrip(s, kRight, e.place);
+    grip.position -= kBlades * (grip.orientation * Vec3::UnitZ());
+    if (!pickUp(s, kRight, grip, 1)) return false;
+    e.goal[kRight] = above(driver.command, 0.03);
+    nextPhase(s);
+  } else {
+    driver.jaw = 1.0;
+    if (s.inPhase < 0.3 || !moveHand(s, kRight, e.goal[kRight], 0.08)) return false;
+    if (s.state.metrics.threadCuts > e.cutsBefore) return true;
+    if (++e.attempt >= kAttempts) { failure = "the thread was not between the blades"; return false; }
+    e.phase = 1;
+    e.phaseStart = s.state.step;
+    e.place = cutPlace(s);
+  }
+  return false;
+}
+
+/// Both tails up and away from the wound until each hand feels its pull, and held.
+bool runTraction(const Scene& s, std::string& failure) {
+  ExpertState& e = s.memory;
+  if (e.phase == 0) {
+    for (int h = 0; h < kHands; ++h) {
+      if (s.state.tools[h].threadCoordinate < 0.0) { failure = "a hand holds no tail"; return false; }
+      e.goal[h] = e.hand[h].command;
+    }
+    e.drawn = e.felt = {};
+    e.settled = 0.0;
+    nextPhase(s);
+  }
+  bool pulled = true;
+  for (int h = 0; h < kHands; ++h) {
+    e.felt[h] += s.dt / kFeelTime * (s.state.tools[h].threadForce.norm() - e.felt[h]);
+    const double pace = std::fmax(-1.0, std::fmin(1.0, (s.action.tension - e.felt[h]) / kFeel));   // [1]
+    e.drawn[h] = std::fmin(kTractionReach, std::fmax(0.0, e.drawn[h] + pace * kTractionSpeed * s.dt));
+    pulled = pulled && e.felt[h] > 0.7 * s.action.tension;
+    const Vec3 way = Vec3(h == kLeft ? -0.3 : 0.3, 0.6, 0.7).normalized();
+    moveHand(s, h, {e.goal[h].position + e.drawn[h] * way, e.goal[h].orientation}, 0.1);
+  }
+  e.settled = pulled ? e.settled + s.dt : 0.0;
+  return e.settled > kHeld;
+}
+
+}  // namespace halsted::scenes

@@ -1,0 +1,28 @@
+#pragma once
+/// What a surgeon decides before a throw of an instrument tie: how often and which way to wind, and where the hands go. Private to scenes/.
+#include <string>
+#include <vector>
+
+#include "sim/types.h"
+
+namespace halsted::scenes {
+
+/// One throw: turns of the long end round the driver, and the way it is wound: +1 counter-clockwise seen by the surgeon.
+struct PlannedThrow { int turns = 1, sense = 1; };
+
+/// "2=1=1": a double throw and two single ones, each wound the other way (=) than the one before, or the same way (x). Empty: not a knot.
+std::vector<PlannedThrow> parseThrows(const std::string& notation);
+
+/// Memory of a knot under way.
+struct KnotPlan {
+  std::vector<PlannedThrow> throws;
+  std::size_t current = 0;
+  Vec3 side = Vec3::UnitX();                   // [1] level, from the stitch toward the strand of the long end below this throw
+  double swept = 0.0;                          // [rad] of this throw's winding
+  double radius = 0.0;                         // [m] of the winding hand's way round the driver
+  int misses = 0;                              // of the tail
+  std::array<double, kHands> drawn{}, felt{};  // [m], [N]
+  double settled = 0.0;                        // [s]
+};
+
+}  // namespace halsted::scenes
