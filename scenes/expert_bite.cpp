@@ -20,9 +20,7 @@ constexpr double kPullSpeed = 0.06;            // [m/s] thread through
 constexpr double kReach = 0.065;               // [m] an arm's move inside the device's workspace
 constexpr double kCounterDepth = 2.5e-3;       // [m] from the rim: where the forceps hold the wall against the needle
 constexpr double kHalfWall = 1e-3;             // [m]
-constexpr double kInGap = 1.2e-3;              // [m] past the edge
-constexpr double kEdgeDepth = 0.5e-3, kEdgeAside = 26.0;         // [m] [deg] from the rim; beside the needle's way, on the far side
-constexpr double kReachable = 0.5;             // [1] an opening that faces less toward the surgeon lets no forceps in
+constexpr double kReachable = 0.5;             // [1] an opening that faces less toward the surgeon lets no forceps in: the needle goes in without
 
 enum Phase {
   kShow, kTakeOver, kTakeOverDown, kTakeOverClose, kLeave,       // needle from forceps to driver
@@ -99,20 +97,10 @@ void exchange(const Scene& s) {
   }
 }
 
-/// Two openings that face each other let no jaw in: the edge is taken from above, jaws in the gap.
-Pose edgeGrip(const Vec3& wall, const Vec3& out, const Vec3& axis) {
-  const Vec3 shaft = (out - out.dot(axis) * axis + 0.5 * Vec3::UnitZ()).normalized();
-  Mat3 axes;
-  axes << shaft.cross(axis).cross(shaft).normalized().cross(shaft), shaft.cross(axis).cross(shaft).normalized(), shaft;
-  return {wall + kInGap * axis - kHalfWall * out, Quat(axes).normalized()};
-}
-
 /// Forceps on the rim just over the bite, shaft along the bowel, one jaw in the lumen.
 Pose counterGrip(const Scene& s) {
   const ExpertState& e = s.memory;
   const Vec3 wall = positionOf(s.model, s.state, e.counter), out = normalOf(s.model, s.state, e.counter);
-  const Opening& o = s.model.bowels.opening[s.action.bowel];
-  if (o.axis.z() < kReachable) return edgeGrip(wall, out, o.axis);
   Vec3 radial = out - out.z() * Vec3::UnitZ();
   radial.normalize();
   Mat3 axes;
@@ -124,6 +112,7 @@ Pose counterGrip(const Scene& s) {
 void hold(const Scene& s) {
   ExpertState& e = s.memory;
   moveHand(s, kRight, toolFor(s, kRight, onCircle(s, kClear * e.plan.out)), 0.10);
+  if (s.model.bowels.opening[s.action.bowel].axis.z() < kReachable) return goTo(s, kNear);
   if (pickUp(s, kLeft, counterGrip(s), kHold)) nextPhase(s);
 }
 
@@ -199,18 +188,10 @@ bool drawThrough(const Scene& s) {
   return false;
 }
 
-/// Where the other hand holds the wall against the needle.
-WallSpot counterSpot(const Scene& s) {
-  const Opening& o = s.model.bowels.opening[s.action.bowel];
-  const double middle = s.memory.plan.middleDegrees;             // [deg]
-  if (o.axis.z() >= kReachable) return {s.action.bowel, middle, kCounterDepth};
-  return {s.action.bowel, o.right.z() < 0.0 ? middle - kEdgeAside : middle + kEdgeAside, kEdgeDepth};
-}
-
 /// Looks for the places of this bite in the anatomy; false when there are none.
 bool choosePlaces(const Scene& s) {
   if (!planPlaces(s.model, s.action, s.memory.plan)) return false;
-  s.memory.counter = placeOnWall(s.model, counterSpot(s));
+  s.memory.counter = placeOnWall(s.model, {s.action.bowel, s.memory.plan.middleDegrees, kCounterDepth});
   return s.memory.counter.triangle >= 0;
 }
 

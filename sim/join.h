@@ -26,7 +26,6 @@ struct EdgeColumn {
 };
 
 struct JoinModel {
-  static constexpr int kMostRim = 512;
   std::array<std::vector<EdgeColumn>, 2> columns;   // of bowels 0 and 1; empty where the scene has not two of them
   double restGap = 0.0;                        // [m] between the outer walls at rest
   bool present() const { return !columns[0].empty(); }

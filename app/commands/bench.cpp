@@ -18,6 +18,9 @@ constexpr double kFrame = 12e-3;               // [s]
 struct Published { const char* scene; double milliseconds; const char* hardware; };   // [ms] a frame
 constexpr Published kPublished[] = {
     {"purse_string", 5.61, "Intel Core i7-13700KF, 16 cores"},   // paper 003, table 1: solver time while suturing
+    {"stay", 6.33, "Intel Core i7-13700KF, 16 cores"},           // table 3, while suturing
+    {"connell", 6.78, "Intel Core i7-13700KF, 16 cores"},        // table 2, while suturing
+    {"lembert", 11.95, "Intel Core i7-13700KF, 16 cores"},       // table 4, the largest of its columns
 };
 
 std::vector<std::string> presetOverrides(const std::string& preset) {
