@@ -18,8 +18,19 @@ const char* name(EventKind kind) {
     case EventKind::kStepDone: return "step done";
     case EventKind::kFault: return "fault";
     case EventKind::kProcedureCompleted: return "procedure completed";
+    case EventKind::kLayerPunctured: return "layer punctured";
   }
   return "unknown event";
+}
+
+const char* name(ToolKind kind) {
+  switch (kind) {
+    case ToolKind::kNeedleDriver: return "needle_driver";
+    case ToolKind::kForceps: return "forceps";
+    case ToolKind::kAcupunctureNeedle: return "acupuncture_needle";
+    case ToolKind::kFinger: return "finger";
+  }
+  return "unknown";
 }
 
 }  // namespace halsted
