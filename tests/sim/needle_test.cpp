@@ -97,7 +97,7 @@ TEST(Needle, AWallAtLargeStrainModuliIsAsStiffToTheTipAsThePunchFormulaSays) {
     const double felt = punctureStiffness(b);                  // [N/m]
     RecordProperty("stiffness_at_" + std::to_string(static_cast<int>(modulus * 1e-3)) + "_kpa", std::to_string(felt));
     EXPECT_NEAR(felt / punch, 1.0, 0.15) << modulus << " Pa";
-    if (modulus == 1.05e6) EXPECT_NEAR(felt / 1100.0, 1.0, 0.2);
+    if (modulus == 1.05e6) { EXPECT_NEAR(felt / 1100.0, 1.0, 0.2); }
   }
 }
 
