@@ -73,6 +73,13 @@ Vec3 withoutAdhesion(const LocalContact& contact, const Vec3& force, const Vec3&
   return pulled.dot(pulled) > kRounding * kRounding ? Vec3(last + clampLength(kept - last, step)) : kept;
 }
 
+Vec3 carriedOn(const LocalContact& contact, const Vec3& last, const Vec3& drift) noexcept {  // [N] both
+  if (contact.planeCount == 0) return last + drift;
+  const PlaneLoad made = explain(contact, contact.force);
+  const Vec3 kept = withoutPull(contact, made, last);
+  return last + (withoutPull(contact, made, kept + drift) - withoutPull(contact, made, kept));
+}
+
 bool usable(const LocalContact& contact) noexcept {
   if (contact.planeCount < 0 || contact.planeCount > LocalContact::kMaxPlanes) return false;
   for (int i = 0; i < contact.planeCount; ++i) {

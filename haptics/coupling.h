@@ -27,6 +27,10 @@ Vec3 modelForce(const LocalContact&, const Vec3& x, const Vec3& v, const Couplin
 /// that lets go while the shaft rests on tissue must not jump.
 Vec3 withoutAdhesion(const LocalContact&, const Vec3& force, const Vec3& last, double step) noexcept;  // [N] [N] [N]
 
+/// The force of the last tick, moved on by what motion changes in the model (`drift`): the pushes follow it, a pull stays as it was.
+/// As `last` of withoutAdhesion it lets a force that still holds a trace of a pull fall as fast as the tool leaves.
+Vec3 carriedOn(const LocalContact&, const Vec3& last, const Vec3& drift) noexcept;                    // [N] [N]
+
 /// One tick of decay of the blend offset: exponential for small ones, never more than `step` at once.
 Vec3 decayedOffset(const Vec3& offset, double step, double share) noexcept;                           // [N] [N] [1]
 

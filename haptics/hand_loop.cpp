@@ -69,6 +69,19 @@ double modelFreshness(const HandLoopConfig& config, const HandLoopState& state) 
   return freshness(static_cast<double>(state.ageTicks) * config.period, config.fadeAfter, config.fadeOver);
 }
 
+/// What the way from the last position to this one changes in the force of the model in use.
+Vec3 modelDrift(const HandLoopConfig& config, const HandLoopState& state, const Vec3& position) noexcept {  // [m]
+  if (!state.started) return Vec3::Zero();
+  const Vec3 here = modelForce(state.model, position, state.velocity, config.caps);
+  const Vec3 change = here - modelForce(state.model, state.lastPosition, state.velocity, config.caps);
+  return allFinite(change) ? change : Vec3(Vec3::Zero());
+}
+
+/// Takes the pull out of a force, beside what was rendered in the last tick.
+Vec3 pushOnly(const HandLoopConfig& config, const HandLoopState& state, const Vec3& force) noexcept {  // [N]
+  return withoutAdhesion(state.model, force, carriedOn(state.model, state.lastRendered, state.drift), config.blendStep);
+}
+
 /// What the model in use and the blend say here and now.
 Vec3 currentForce(const HandLoopConfig& config, const HandLoopState& state, const Vec3& position) noexcept {  // [m]
   const Vec3 model = modelForce(state.model, position, state.velocity, config.caps);
@@ -83,7 +96,7 @@ void takeModel(const LocalContact& contact, const HandLoopConfig& config, const 
   state.lastStep = contact.step;
   state.modelUsable = usable(contact);
   if (!state.modelUsable) return;
-  const Vec3 before = withoutAdhesion(state.model, currentForce(config, state, position), state.lastRendered, config.blendStep);
+  const Vec3 before = pushOnly(config, state, currentForce(config, state, position));
   const Vec3 after = modelForce(contact, position, state.velocity, config.caps);
   state.offset = contact.puncture || !allFinite(before - after) ? Vec3(Vec3::Zero()) : Vec3(before - after);
   state.model = contact;
@@ -94,8 +107,8 @@ void takeModel(const LocalContact& contact, const HandLoopConfig& config, const 
 /// blend and of the damping too, so that it does not come back.
 Vec3 renderForce(const HandLoopConfig& config, const Vec3& position, HandLoopState& state) noexcept {  // [m]
   const Vec3 blended = currentForce(config, state, position);
-  const Vec3 force = withoutAdhesion(state.model, blended, state.lastRendered, config.blendStep);
-  const Vec3 damped = withoutAdhesion(state.model, force + state.passiveForce, state.lastRendered, config.blendStep);
+  const Vec3 force = pushOnly(config, state, blended);
+  const Vec3 damped = pushOnly(config, state, force + state.passiveForce);
   if (!allFinite(damped)) {  // a model of finite numbers whose force overflows: limitForce cuts it, and nothing of it is kept
     state.offset = state.passiveForce = state.lastRendered = Vec3::Zero();
     return damped;
@@ -136,6 +149,7 @@ void tick(Device& device, const HandLoopConfig& config, const LocalContact& cont
   if (state.velocity.norm() > config.limits.speed * config.mapping.scale) faults |= kFaultVelocity;
 
   state.ageTicks += periods;
+  state.drift = modelDrift(config, state, pose.position);
   takeModel(contact, config, pose.position, state);
   keepPassive(config, moved, dt, state, faults);
   if (!state.modelUsable) faults |= kFaultNonFinite;

@@ -36,6 +36,7 @@ struct HandLoopState {
   Vec3 velocity = Vec3::Zero();                // [m/s] filtered
   Vec3 lastForce = Vec3::Zero();               // [N] sent
   Vec3 lastRendered = Vec3::Zero();            // [N] before the limits
+  Vec3 drift = Vec3::Zero();                   // [N] what this tick's motion changes in the force of the model that the last one used
   Vec3 offset = Vec3::Zero();                  // [N] blend that keeps the force continuous when the model is replaced
   LocalContact model;                          // in use; kept to compare with the one that replaces it
   std::uint64_t lastStep = 0;                  // physics step of the model in use
