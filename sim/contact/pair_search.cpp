@@ -1,11 +1,13 @@
 #include "sim/contact/pair_search.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "sim/contact/geometry.h"
 #include "sim/contact/vertex_grid.h"
+#include "sim/lanes.h"
 
 namespace halsted {
 namespace {
@@ -63,6 +65,24 @@ bool insideBall(const Face& f, const Vec3& p) {
   const double height = d.dot(f.normal);         // [m]
   // One branch instead of three: which of them fails is as good as random.
   return (height < f.above) & (height > -f.behind) & (d.squaredNorm() < f.squaredReach);
+}
+
+using Two = double __attribute__((vector_size(16)));   // SSE2, which every x86-64 has
+
+HALSTED_INLINE Two loadTwo(const double* p) { return Two{p[0], p[1]}; }
+/// The same for two vertices side by side: bit 0 and bit 1.
+HALSTED_INLINE int insideBall(const Face& f, const double* x, const double* y, const double* z) {   // [m]
+  const Two dx = loadTwo(x) - f.centre[0], dy = loadTwo(y) - f.centre[1], dz = loadTwo(z) - f.centre[2];
+  const Two height = dx * f.normal[0] + dy * f.normal[1] + dz * f.normal[2];
+  const auto inside = (height < f.above) & (height > -f.behind) & (dx * dx + dy * dy + dz * dz < f.squaredReach);
+  return __builtin_ia32_movmskpd(std::bit_cast<Two>(inside));
+}
+
+/// Of the four entries from `e` on, those before `end`.
+HALSTED_INLINE int insideBall(const Face& f, const SelfWork& w, int e, int end) {
+  const double *x = w.place.data() + e, *y = x + w.item.size(), *z = y + w.item.size();
+  const int four = insideBall(f, x, y, z) | insideBall(f, x + 2, y + 2, z + 2) << 2;
+  return end - e < 4 ? four & ((1 << (end - e)) - 1) : four;
 }
 
 double squaredDistance(const Face& f, const Vec3& p) { return (p - mix(closestOnTriangle(p, f.a, f.b, f.c), f.a, f.b, f.c)).squaredNorm(); }
@@ -134,11 +154,13 @@ bool enlist(const Face& face, int vertex, const Vec3& p, NearPairs& list) {   //
 
 void searchRun(const Model& m, const Face& face, std::array<int, 2> run, NearPairs* list, State& s) {
   const SelfWork& w = s.work.self;
-  for (int e = run[0]; e < run[1]; ++e) {
-    const int vertex = w.item[e];
-    if (!insideBall(face, w.place[e]) || w.ring[vertex] == ringMark(face.index) || (face.held && m.tissue.isFixed[vertex])) continue;
-    const bool candidate = list == nullptr || enlist(face, vertex, w.place[e], *list);
-    if (candidate && w.ring[vertex] != keptMark(face.index)) offer(m, face, vertex, s);
+  for (int e = run[0]; e < run[1]; e += 4) {
+    for (int inside = insideBall(face, w, e, run[1]); inside != 0; inside &= inside - 1) {
+      const int vertex = w.item[e + std::countr_zero(static_cast<unsigned>(inside))];
+      if (w.ring[vertex] == ringMark(face.index) || (face.held && m.tissue.isFixed[vertex])) continue;
+      const bool candidate = list == nullptr || enlist(face, vertex, s.tissue.position[vertex], *list);
+      if (candidate && w.ring[vertex] != keptMark(face.index)) offer(m, face, vertex, s);
+    }
   }
 }
 

@@ -55,7 +55,7 @@ inline void fillGrid(const Model& m, const TissueState& t, const VertexGrid& gri
   for (int i = n - 1; i >= 0; --i) {             // from the last: afterwards start[c + 1] is where cell c begins
     const int at = --w.start[w.cell[i] + 1];
     w.item[at] = m.surface.vertices[i];
-    w.place[at] = t.position[m.surface.vertices[i]];
+    for (int axis = 0; axis < 3; ++axis) w.place[at + axis * n] = t.position[m.surface.vertices[i]][axis];
   }
   std::copy(w.start.begin() + 1, w.start.end(), w.start.begin());
   w.start[SelfWork::kCells] = n;
