@@ -140,7 +140,12 @@ TEST(Needle, BackingOutRemovesItsHolesAndTheWallReturnsToRest) {
   Bite b(0.5e-3);
   ASSERT_TRUE(pressThrough(b).happened);
   const double reached = b.tip().x() - kWallX;   // [m]
-  for (int k = 0; k < 3000; ++k) b.push(reached + 5e-6 * k, 0.0);
+  bool torn = false;
+  for (int k = 0; k < 3000; ++k) {
+    b.push(reached + 5e-6 * k, 0.0);
+    torn = torn || b.happened(EventKind::kChannelTorn);
+  }
+  EXPECT_FALSE(torn);
   EXPECT_EQ(b.state.strand.holeCount, 0);
   b.run(1500);
   EXPECT_LT(b.displacement(), 1e-6);
@@ -171,6 +176,26 @@ TEST(Needle, TurnedAboutItsCentreComesOutOnTheFarFace) {
   RecordProperty("rise_over_arc", std::to_string((out.z() - in.z()) / rise));
   EXPECT_NEAR(out.z() - in.z(), rise, 0.6e-3);
   EXPECT_LT(std::fabs(out.y() - in.y()), 0.3e-3);
+}
+
+/// Half way round and out on the far face, then all the way back: nothing tears, no hole stays.
+TEST(Needle, TurnedBackAfterItsExitLeavesNoHole) {
+  Bite b(0.5e-3);
+  ASSERT_TRUE(pressThrough(b).happened);
+  const double gap = b.tip().x() - kWallX;       // [m]
+  bool exited = false, torn = false;
+  const auto turn = [&](double angle) {          // [rad]
+    b.push(gap, angle);
+    exited = exited || b.happened(EventKind::kNeedleExited);
+    torn = torn || b.happened(EventKind::kChannelTorn);
+  };
+  int k = 0;
+  for (; k < 1500 && !exited; ++k) turn(1e-3 * k);
+  ASSERT_TRUE(exited);
+  for (int past = 0; past < 50; ++past) turn(1e-3 * ++k);
+  for (; k > -300; --k) turn(1e-3 * k);
+  EXPECT_FALSE(torn);
+  EXPECT_EQ(b.state.strand.holeCount, 0);
 }
 
 }  // namespace
