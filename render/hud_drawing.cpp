@@ -10,7 +10,7 @@
 namespace halsted::render {
 namespace {
 
-constexpr ImU32 kText = IM_COL32(232, 240, 240, 255), kDim = IM_COL32(150, 172, 176, 255), kPanel = IM_COL32(6, 16, 20, 150);
+constexpr ImU32 kText = IM_COL32(232, 240, 240, 255), kDim = IM_COL32(150, 172, 176, 255);
 constexpr ImU32 kGood = IM_COL32(104, 214, 160, 255), kWarn = IM_COL32(255, 190, 80, 255), kBad = IM_COL32(255, 96, 84, 255);
 constexpr ImU32 kTrack = IM_COL32(255, 255, 255, 34);
 const char* const kFontPath = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";   // Debian fonts-dejavu-core
@@ -18,10 +18,11 @@ const char* const kFontPath = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 /// A pen over the frame's draw list; sizes are in pixels of a 720-line picture.
 struct Pen {
   ImDrawList* list;
+  HudPanels& panels;
   float scale;                                             // [1]
 
   ImVec2 at(float x, float y) const { return ImVec2(x * scale, y * scale); }
-  void panel(float x, float y, float w, float h) const { list->AddRectFilled(at(x, y), at(x + w, y + h), kPanel, 5.0f * scale); }
+  void panel(float x, float y, float w, float h) const { panels.add(x * scale, y * scale, w * scale, h * scale, 5.0f * scale); }
   void bar(float x, float y, float w, float share, ImU32 color) const {
     list->AddRectFilled(at(x, y), at(x + w, y + 6), kTrack, 3.0f * scale);
     const float filled = w * std::clamp(share, 0.0f, 1.0f);                        // pixels
@@ -122,6 +123,7 @@ void drawWarnings(const Pen& pen, float right, const HudInput& hud) {
 
 HudDrawing::HudDrawing(const RenderScene& scene, int width, int height)
     : width_(static_cast<float>(width)), height_(static_cast<float>(height)), scale_(static_cast<float>(height) / 720.0f),
+      panels_(width, height),
       title_(scene.title.empty() ? scene.name : scene.title), ids_(scene.stepIds), instructions_(scene.instructions), tools_(scene.tools) {
   context_ = ImGui::CreateContext();
   ImGui::SetCurrentContext(context_);
@@ -151,7 +153,8 @@ void HudDrawing::draw(const RenderSnapshot& snapshot, const HudInput& hud) {
   ImGui::GetIO().DeltaTime = 1.0f / 30.0f;                 // [s] nothing animates: the same input gives the same picture
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
-  const Pen pen{ImGui::GetBackgroundDrawList(), scale_};
+  panels_.clear();
+  const Pen pen{ImGui::GetBackgroundDrawList(), panels_, scale_};
   const float right = width_ / scale_, bottom = height_ / scale_;   // pixels of a 720-line picture
   drawProcedure(pen, title_, ids_, instructions_, snapshot.procedureStep);
   for (int hand = 0; hand < kHands; ++hand) {
@@ -162,6 +165,7 @@ void HudDrawing::draw(const RenderSnapshot& snapshot, const HudInput& hud) {
   drawMeasures(pen, right, bottom - 62.0f, snapshot);
   if (hud.live) drawTiming(pen, right, hud);
   drawWarnings(pen, right, hud);
+  panels_.draw();                                          // beneath the words
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }

@@ -27,6 +27,7 @@ struct ExpertState {
   TissuePlace counter;                         // where the other hand holds the wall
   double tipAngle = 0.0;                       // [rad] commanded on the plan's circle
   int attempt = 0;                             // at the bite under way
+  double dip = 0.0;                            // [m] its circle below the places
   int misses = 0;                              // of the needle by the driver, in this bite
   double pressed = 0.0;                        // [m] how far the needle was pushed along its point to get in
   Vec3 pressAlong = Vec3::UnitX();             // [1]
