@@ -234,19 +234,19 @@ void Renderer::Parts::drawPicture(const RenderSnapshot& snapshot, const CameraVi
   const Matrix4 view = viewProjection(camera, static_cast<double>(width) / height);
   bindTexture(kReflectionUnit, reflection);
   drawBackdrop(camera, view);
- picture.copyFrom(backdrop);
+  picture.copyFrom(backdrop);
   picture.bind();
 
   // Near things first: what they hide is not shaded.
   use(steel, view, camera);
   rods.draw();
   drawInstruments(snapshot, steel);
- bindTexture(kSurfaceUnit, tissueImage);
+  bindTexture(kSurfaceUnit, tissueImage);
   use(tissueLook, view, camera);
   const double open = std::sqrt(std::clamp(snapshot.openingArea / std::max(tissue.openingAtRest(), 1e-9), 0.0, 1.0));   // [1]
   glUniform1f(tissueLook.open, static_cast<float>(open));
   if (hasTissue(snapshot)) tissue.draw();
- drawFieldShadows(snapshot, camera, view);
+  drawFieldShadows(snapshot, camera, view);
   drawWires(snapshot, camera, view);
 }
 
@@ -262,7 +262,7 @@ const Frame& Renderer::draw(const RenderSnapshot& snapshot, const HudInput& hud,
     p.thread.stream(p.threadTube.vertices.data(), p.threadTube.vertices.size() * sizeof(TubeVertex));
   }
   p.holes.update(snapshot.punctures, snapshot.punctureCount, camera.eye, camera.up);
- p.drawShadows(snapshot);
+  p.drawShadows(snapshot);
   p.drawPicture(snapshot, camera);
   if (hud.visible) p.hud.draw(snapshot, hud);
   p.picture.read(p.frame);

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/commands/commands.h"
+#include "app/commands/usage_error.h"
 #include "app/errors.h"
 #include "app/version.h"
 
@@ -81,7 +82,7 @@ void addTrain(CLI::App& app, CommandLine& line) {
   command->add_option("--trainee", train.trainee, "name kept in the recording");
   command->add_option("--record", train.record, "write a session file");
   command->add_flag("--headless", train.headless, "the same threads without a window");
-  command->add_option("--seconds", train.seconds, "end after this much wall-clock time")->check(CLI::PositiveNumber);
+  command->add_option("--seconds", train.seconds, "end after this much wall-clock time")->check(CLI::Range(1e-3, 1e6));
   command->add_option("--size", line.size, "WIDTHxHEIGHT in pixels (default 1280x720)");
   command->add_flag("--json", train.json, "print the outcome as JSON");
   command->add_flag("--verbose", train.verbose, "log events and skipped ticks");
@@ -156,7 +157,9 @@ int runCommandLine(int argc, char** argv) {
     app.parse(argc, argv);
     return dispatch(app, line);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kBadInput;
+    if (error.get_exit_code() == 0) return app.exit(error);      // --help, --version
+    std::fprintf(stderr, "halsted: %s\n", usageLine(app, error).c_str());
+    return kBadInput;
   } catch (const scenes::InputError& error) {
     return report(error, kBadInput);
   } catch (const SystemFault& error) {
