@@ -6,6 +6,15 @@
 
 namespace halsted::scenes {
 
+/// Where the needle goes in and how far, as commanded.
+struct NeedlePlan {
+  int point = -1;                              // of the body's acupoints
+  Vec3 entry = Vec3::Zero(), axis = Vec3::UnitZ();   // [m], [1] inward
+  Quat orientation = Quat::Identity();         // of the tool, not twirled
+  double depth = 0.0;                          // [m] of the tip past `entry`
+  double twist = 0.0;                          // [rad]
+};
+
 struct ExpertState {
   std::size_t action = 0;
   int phase = 0;
@@ -28,6 +37,7 @@ struct ExpertState {
   double place = 0.0;                          // [m] coordinate where a tail is to be taken
   double settled = 0.0;                        // [s] since the tails stopped coming
   std::array<Pose, kHands> goal;               // of the phase under way
+  NeedlePlan needle;
 };
 
 /// What a phase may look at, and its clock.
@@ -44,6 +54,10 @@ struct Scene {
 bool runBite(const Scene&, std::string& failure);
 bool runTakeTails(const Scene&, std::string& failure);
 bool runTighten(const Scene&, std::string& failure);
+/// Every action of a needle. Returns true when it is finished.
+bool runNeedling(const Scene&, std::string& failure);
+/// Where both tools of a needling scene start.
+std::array<Pose, kHands> needlingStart(const BodyModel&);
 
 void nextPhase(const Scene&);
 

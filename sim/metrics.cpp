@@ -64,7 +64,7 @@ Spread spread(double sum, double squares, int n) {       // unit of the values, 
 
 /// Regularity tells teachers from students (Tang 2017, physics.md C3): spread over mean of the amplitudes, and spread of the troughs.
 void addStrokes(Rows& rows, const std::string& name, const std::string& unit, const Strokes& s, double scale) {   // scale [unit per m or rad]
-  const Spread size = spread(s.amplitude, s.amplitudeSquares, s.count), trough = spread(s.trough, s.troughSquares, s.troughs);
+  const Spread size = spread(s.amplitude, s.amplitudeSquares, s.counted), trough = spread(s.trough, s.troughSquares, s.troughs);
   rows.emplace_back(name + "_strokes", s.count);
   rows.emplace_back(name + "_strokes_in_range", s.counted);
   rows.emplace_back(name + "_amplitude_mean_" + unit, scale * size.mean);

@@ -1,7 +1,5 @@
-/// Runs at load time.
 #include "sim/needling/body_model.h"
 
-#include <cmath>
 #include <stdexcept>
 
 #include "sim/params.h"
@@ -18,11 +16,6 @@ void findHands(const SimParams& p, BodyModel& m) {
 }
 
 }  // namespace
-
-Vec3 textbookAxis(const Acupoint& point, const SurfaceFrame& place) {
-  const Vec3 along = (point.lean - point.lean.dot(place.normal) * place.normal).normalized();
-  return -std::sin(point.angle) * place.normal + std::cos(point.angle) * along;   // load time
-}
 
 BodyModel buildBody(const SimParams& params, const Body& body) {
   if (body.empty()) throw std::invalid_argument("anatomy: there is no body to be needled");

@@ -23,9 +23,6 @@ struct BodyModel {
 /// Throws std::invalid_argument naming what makes no sense.
 BodyModel buildBody(const SimParams&, const Body&);
 
-/// The way an acupoint's textbook angle points: into the skin, leaning over.  [1]
-Vec3 textbookAxis(const Acupoint&, const SurfaceFrame&);
-
 int netPoints(const NeedlingModel&);
 
 }  // namespace halsted

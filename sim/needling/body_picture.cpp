@@ -31,6 +31,9 @@ struct Rings {
     const Eigen::Matrix2d tangents = tangentsAt(f, e1);   // [m]
     const double mean = std::sqrt(tangents.determinant());   // [m] per radian
     const Eigen::Matrix2d toSphere = mean * tangents.inverse();   // [1]
+    const Eigen::Vector2d turn = Eigen::Vector2d(toSphere(0, 0) + toSphere(1, 1), toSphere(1, 0) - toSphere(0, 1)).normalized();
+    Eigen::Matrix2d onSphere;                  // [1] the rotation nearest to it, for the far rings
+    onSphere << turn.x(), -turn.y(), turn.y(), turn.x();
     unit.push_back(f.unit);
     for (double r = kFinest; r < 0.97 * kPi * mean; r *= kGrowth) {
       radius.push_back(r);
@@ -38,7 +41,7 @@ struct Rings {
       for (int k = 0; k < kSectors; ++k) {
         const double phi = 2.0 * kPi * k / kSectors;   // [rad] counter-clockwise seen from outside
         const Eigen::Vector2d round(std::cos(phi), std::sin(phi));   // load time
-        const Eigen::Vector2d way = (1.0 - far) * (toSphere * round) + far * round;   // [1] round on the skin near, on the sphere far
+        const Eigen::Vector2d way = ((1.0 - far) * toSphere + far * onSphere) * round;   // [1] round on the skin near, on the sphere far
         const double size = way.norm(), angle = std::min(r / mean * size, 0.985 * kPi);   // [1], [rad]
         const Vec3 d = (way.x() * f.direction1 + way.y() * f.direction2) / size;
         unit.push_back(std::cos(angle) * f.unit + std::sin(angle) * d);   // load time
@@ -68,13 +71,13 @@ class Builder {
   }
   /// Walls of the cut through layer `k`: both meridians, and the arc at its outer ring.
   void walls(int k, int ring, TissueLook look) {
+    constexpr int h = kSectors / 2;
     for (int r = -1; r < ring; ++r) {
-      quad(vertex(k, r, 0), vertex(k + 1, r, 0), vertex(k + 1, r + 1, 0), vertex(k, r + 1, 0), look, Shown::kCutaway);
-      const int h = kSectors / 2;
-      quad(vertex(k, r + 1, h), vertex(k + 1, r + 1, h), vertex(k + 1, r, h), vertex(k, r, h), look, Shown::kCutaway);
+      quad(vertex(k, r, 0), vertex(k, r + 1, 0), vertex(k + 1, r + 1, 0), vertex(k + 1, r, 0), look, Shown::kCutaway);
+      quad(vertex(k, r, h), vertex(k + 1, r, h), vertex(k + 1, r + 1, h), vertex(k, r + 1, h), look, Shown::kCutaway);
     }
-    for (int s = 0; s < kSectors / 2; ++s)
-      quad(vertex(k, ring, s), vertex(k + 1, ring, s), vertex(k + 1, ring, s + 1), vertex(k, ring, s + 1), look, Shown::kCutaway);
+    for (int s = 0; s < h; ++s)
+      quad(vertex(k, ring, s), vertex(k, ring, s + 1), vertex(k + 1, ring, s + 1), vertex(k + 1, ring, s), look, Shown::kCutaway);
   }
 
  private:

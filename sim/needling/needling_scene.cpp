@@ -89,6 +89,8 @@ void describeBody(const Model& m, RenderScene& scene) {
   for (std::size_t i = 0; i < body.points.size(); ++i)
     scene.body.points.push_back({body.points[i].id, body.points[i].name, body.places[i].position, body.places[i].normal, body.points[i].depth,
                                  body.points[i].angle});
+  scene.needle = {};                           // a suture's
+  scene.rods.clear();
   scene.straightNeedle = {p.needleLength, p.needleRadius, p.handleLength, p.handleRadius};
   scene.fingerRadius = p.fingerRadius;
 }

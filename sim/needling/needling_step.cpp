@@ -17,16 +17,17 @@ bool usable(const ToolSample& sample) {
 Mat3 along(const Vec3& a) { return a * a.transpose(); }
 
 /// Nothing touched: the plane of the skin says where touching would begin.
-void feelNothing(const SurfaceFrame& foot, const Vec3& at, double gap, LocalContact& c) {   // gap [m]
+struct Onset { double gap = 0.0, pressed = 0.0, stiffness = 0.0; };   // [m] to the skin; skin below its rest; [N/m] that waits there
+void feelNothing(const SurfaceFrame& foot, const Vec3& at, const Onset& onset, LocalContact& c) {
   constexpr double kNear = 5e-3;               // [m]
   c.position = at;
   c.force.setZero();
-  c.stiffness.setZero();
+  c.stiffness = onset.stiffness * Mat3::Identity();
   c.damping.setZero();
   c.touching = false;
-  c.ahead = gap < kNear;
+  c.ahead = onset.gap < kNear;
   c.planeCount = c.ahead ? 1 : 0;
-  c.planes[0] = {foot.position, foot.normal};
+  c.planes[0] = {foot.position - onset.pressed * foot.normal, foot.normal};
 }
 
 void beginContact(const NeedlingState& s, const ToolSample& sample, LocalContact& c) {
@@ -43,7 +44,7 @@ void stepFinger(const NeedlingModel& m, const ToolSample& sample, NeedlingState&
   s.fingerDepth = std::max(0.0, depth);
   s.fingerPlace = f.position;
   s.fingerNormal = f.normal;
-  feelNothing(f, sample.pose.position, -depth, out);
+  feelNothing(f, sample.pose.position, {-depth, 0.0, m.params.fingerStiffness}, out);
   if (depth <= 0.0) return;
   out.touching = true;
   out.ahead = false;
@@ -56,11 +57,12 @@ void stepFinger(const NeedlingModel& m, const ToolSample& sample, NeedlingState&
 bool touchSkin(const NeedlingModel& m, const Vec3& tip, NeedlingState& s, LocalContact& out) {
   const SurfaceFrame f = nearestPoint(m.surface[0], tip, s.skinUnit, 2);
   s.skinUnit = f.unit;
-  s.depth = -(tip - f.position).dot(f.normal) - pressedDepth(m, s, f.position);
-  feelNothing(f, tip, -s.depth, out);
-  if (!(s.depth > 0.0)) return false;
+  const double pressed = pressedDepth(m, s, f.position);     // [m]
+  s.depth = -(tip - f.position).dot(f.normal) - pressed;
   s.contact = f.position;
   s.outward = f.normal;
+  feelNothing(f, tip, {-s.depth, pressed, netStiffness(m.net[0], 0.0)}, out);
+  if (!(s.depth > 0.0)) return false;
   s.axis = -f.normal;
   layNet(m, 0, f, s);
   return true;

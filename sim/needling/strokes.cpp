@@ -5,11 +5,14 @@ namespace {
 
 void turnBack(const StrokeLimits& limits, Strokes& s) {
   const double size = s.direction > 0 ? s.extreme - s.lastTurn : s.lastTurn - s.extreme;   // [m or rad]
+  const bool inRange = size >= limits.least && size <= limits.most;
   ++s.count;
-  s.counted += size >= limits.least && size <= limits.most;
-  s.amplitude += size;
-  s.amplitudeSquares += size * size;
-  if (s.direction < 0) {
+  if (inRange) {
+    ++s.counted;
+    s.amplitude += size;
+    s.amplitudeSquares += size * size;
+  }
+  if (inRange && s.direction < 0) {
     ++s.troughs;
     s.trough += s.extreme;
     s.troughSquares += s.extreme * s.extreme;
