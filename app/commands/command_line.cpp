@@ -95,8 +95,13 @@ void addDevices(CLI::App& app, CommandLine& line) {
   CLI::App* command = app.add_subcommand("devices", "which haptic devices are attached, what can drive them, and why not");
   command->add_option("--test", line.devices.test, "a bounded force check on one: falcon, open, vendor or virtual, like --left of train");
   command->add_option("--firmware", line.devices.firmware, "firmware file for a Falcon that has none (or HALSTED_FALCON_FIRMWARE)");
+  command->add_flag("--bench", line.devices.bench,
+                    "no device: force quality of the servo loop in numbers with units and bounds (stability, energy, buzz, rates, faults, jitter);\n"
+                    "some minutes; exit code 1 when a bound is missed; haptics/README.md explains the rows")
+      ->excludes("--test");
   command->add_flag("--json", line.devices.json, "print JSON");
-  command->footer("The check pushes with 1.5 N along each axis while you hold the grip loosely.\nExample: halsted devices --test falcon");
+  command->footer("The check pushes with 1.5 N along each axis while you hold the grip loosely.\n"
+                  "Example: halsted devices --test falcon\nExample: halsted devices --bench --json");
 }
 
 void addBench(CLI::App& app, CommandLine& line) {

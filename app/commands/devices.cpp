@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
+#include "app/commands/devices_bench.h"
 #include "app/errors.h"
 #include "app/force_check.h"
 #include "app/hands.h"
@@ -173,6 +174,7 @@ int test(const DevicesOptions& options) {
 }  // namespace
 
 int devices(const DevicesOptions& options) {
+  if (options.bench) return benchDevices(options.json);
   if (!options.test.empty()) return test(options);
   const ordered_json found = survey(options.firmware);
   if (options.json) std::printf("%s\n", found.dump(2).c_str());

@@ -9,6 +9,7 @@
 #include "app/commands/commands.h"
 #include "app/errors.h"
 #include "app/progress.h"
+#include "app/run_summary.h"
 #include "app/threads/haptic_thread.h"
 
 namespace halsted::app {
@@ -71,8 +72,7 @@ Measurements measureSceneEnergy(const Scenario& scenario, double seconds, std::u
   return haptics::bench::measureTwoHands(scenario.model, scenario.start, hand.config, seconds, seed, progress);
 }
 
-Measurements measureJitter(double seconds) {
-  const Scenario scenario = scenarioFromScene("purse_string", {}, {});
+Measurements measureJitter(const Scenario& scenario, double seconds) {
   Hands hands{makeHand({}, scenario.start[kLeft]), makeHand({}, scenario.start[kRight])};
   const auto links = std::make_unique<Links>(std::array<ToolSample, kHands>{}, RenderSnapshot{}, render::Frame{}, State{});
   HapticOutcome outcome;
@@ -93,19 +93,25 @@ Measurements measureJitter(double seconds) {
 
 int benchDevices(bool json) {
   Table table(json);
-  Progress progress;
-  double done = 0.0;                           // [s] of the clock that the line shows: simulated where there is one
   for (const haptics::bench::Section& section : haptics::bench::sections()) {
-    progress.show(done, section.title);
-    table.add(section.title, section.measure());
+    Measurements all;
+    {
+      Progress progress;
+      const auto heard = [&](double share) { progress.show(std::string(section.title) + number(" %.0f %%", 100.0 * share)); };   // [1]
+      all = section.measure(heard);
+    }
+    table.add(section.title, all);
   }
   const Scenario scenario = scenarioFromScene("purse_string", {}, {});
-  for (const std::uint64_t seed : kSeeds)
-    table.add("2 energy, two hands in purse_string", measureSceneEnergy(scenario, kStirred, seed, [&](double time) {   // [s]
-                progress.show(time, "2 energy, two hands, seed " + std::to_string(seed));
-              }));
-  progress.show(done, "8 jitter");
-  table.add("8 jitter, real time", measureJitter(kWatched));
+  for (const std::uint64_t seed : kSeeds) {
+    Measurements all;
+    {
+      Progress progress;
+      all = measureSceneEnergy(scenario, kStirred, seed, [&](double time) { progress.show(time, "2 energy, two hands in purse_string"); });   // [s]
+    }
+    table.add("2 energy, two hands in purse_string", all);
+  }
+  table.add("8 jitter, real time", measureJitter(scenario, kWatched));
   return table.finish();
 }
 

@@ -11,7 +11,7 @@ namespace halsted::app {
 haptics::bench::Measurements measureSceneEnergy(const Scenario&, double seconds, std::uint64_t seed, const std::function<void(double)>& progress);   // [s]
 
 /// Lateness of the shipped haptic thread beside a bare loop's, on this machine, now. `seconds` of real time.
-haptics::bench::Measurements measureJitter(double seconds);
+haptics::bench::Measurements measureJitter(const Scenario&, double seconds);   // [s]
 
 int benchDevices(bool json);
 

@@ -13,13 +13,13 @@ double feltStiffness(const DeviceLimits& device, double wall, double scale) {   
   DrivenRig rig;
   rig.device.able = device;
   rig.config.mapping.scale = scale;
-  LocalContact contact;                        // of a physics step that stands still
-  contact.touching = true;
-  contact.step = 1;
-  contact.stiffness = wall * Mat3::Identity();
-  rig.contact = contact;
+  rig.contact.touching = true;                 // about x = 0
+  rig.contact.stiffness = wall * Mat3::Identity();
   const auto at = [&](double depth) {          // [m] of the device -> [N]
-    for (int i = 0; i < 40; ++i) rig.tickAt(Vec3(0.0, -depth, 0.0));
+    for (int i = 0; i < 40; ++i) {
+      ++rig.contact.step;                      // physics goes on, and says the same
+      rig.tickAt(Vec3(0.0, -depth, 0.0));
+    }
     return rig.output.force.y();
   };
   const double shallow = at(0.2e-3), deep = at(0.4e-3);   // [N]

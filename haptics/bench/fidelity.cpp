@@ -77,24 +77,40 @@ Measurements measureLatency() {
   return {{"ticks from a sample in contact to its force", "wall of 1 N/mm", static_cast<double>(ticks), "ticks", Bound::kAtMost, 0.0}};
 }
 
+namespace {
+
+struct SpringError { double steady = 0.0, moving = 0.0, counts = 0.0; };   // [%] at rest, on the move, and by what the counts hide
+
+/// 3 mm in and out of a spring, 1 mm/s and then still for 60 ms at every fifth of a millimetre, read in counts of 0.055 mm.
+SpringError springError(double stiffness) {    // [N/m]
+  SpringWall wall{stiffness, 0.0, 2e-3};
+  DrivenRig rig;
+  SpringError error;
+  for (int i = 0; i < 6000; ++i) {
+    const double depth = 1e-6 * (i < 3000 ? i : 6000 - i) - 0.1e-3;              // [m]
+    const double read = std::floor(depth / 0.055e-3 + 0.5) * 0.055e-3;           // [m]
+    const bool rests = i % 200 == 0;
+    double force = rig.advanceAt(Vec3(0.0, -read, 0.0), wall).y();               // [N]
+    for (int k = 0; rests && k < 60; ++k) force = rig.advanceAt(Vec3(0.0, -read, 0.0), wall).y();
+    if (force < 0.2 || force > 3.2) continue;
+    double& worst = rests ? error.steady : error.moving;                         // [%]
+    worst = std::max(worst, 100.0 * std::abs(force - stiffness * read) / (stiffness * read));
+    if (rests) error.counts = std::max(error.counts, 100.0 * std::abs(force - stiffness * depth) / (stiffness * depth));
+  }
+  return error;
+}
+
+}  // namespace
+
 Measurements measureAccuracy() {
   Measurements all;
   for (const double stiffness : {100.0, 300.0, 1020.0}) {
-    SpringWall wall{stiffness, 0.0, 2e-3};
-    DrivenRig rig;
-    double worst = 0.0, counts = 0.0;          // [%] [%]
-    for (int i = 0; i < 6000; ++i) {           // 3 mm in and out at 1 mm/s, read in counts of 0.055 mm
-      const double depth = 1e-6 * (i < 3000 ? i : 6000 - i) - 0.1e-3;              // [m]
-      const double read = std::floor(depth / 0.055e-3 + 0.5) * 0.055e-3;           // [m]
-      const double force = rig.advanceAt(Vec3(0.0, -read, 0.0), wall).y();         // [N]
-      if (force < 0.2 || force > 3.2) continue;
-      worst = std::max(worst, 100.0 * std::abs(force - stiffness * read) / (stiffness * read));
-      counts = std::max(counts, 100.0 * std::abs(force - stiffness * depth) / (stiffness * depth));
-    }
+    const SpringError error = springError(stiffness);
     char text[64];
     std::snprintf(text, sizeof text, "spring of %.0f N/m, 0.2 to 3.2 N", stiffness);
-    all.push_back({"error of force against K x as read", text, worst, "%", Bound::kAtMost, kJustNoticeable});
-    all.push_back({"error of force against K x as it is", text, counts, "%"});
+    all.push_back({"error of a steady force against K x as read", text, error.steady, "%", Bound::kAtMost, kJustNoticeable});
+    all.push_back({"the same on the move, 1 mm/s in and out", text, error.moving, "%"});
+    all.push_back({"error of a steady force against K x as it is", text, error.counts, "%"});
   }
   return all;
 }

@@ -46,13 +46,25 @@ struct Stirrer {
     state.lastOrientation = start.orientation;
   }
 
+  /// What the simulation says that its tool took: exact for a force that is linear between its steps, and free of hold, blend and age.
+  void follow(const LocalContact& contact) {
+    if (contact.step == 0) return;
+    inPhysics -= 0.5 * (contact.force + lastForce).dot(contact.position - lastPosition) / config.mapping.scale;
+    lastForce = contact.force;
+    lastPosition = contact.position;
+  }
+
   void tick(const LocalContact& contact, std::uint64_t index) {
     const Vec3 motor = config.mapping.origin.orientation.conjugate() * output.force, from = device.position();
     haptics::tick(device, config, contact, wanderer.next(), index, state, output);
     taken -= motor.dot(device.position() - from);
-    if (!state.model.touching && output.force == Vec3::Zero()) atTouch = highest = taken;
+    follow(contact);
+    least = std::min(least, taken);
+    if (!state.model.touching && output.force == Vec3::Zero()) atTouch = highest = taken, physicsAtTouch = inPhysics;
     highest = std::max(highest, taken);
-    created = std::max(created, atTouch - taken);
+    const double given = atTouch - taken, owed = std::max(0.0, physicsAtTouch - inPhysics);   // [J]
+    delivered = std::max(delivered, given);
+    created = std::max(created, given - owed);
     returned = std::max(returned, highest - taken);
     touching += contact.touching;
     peak = std::max(peak, output.force.norm());
@@ -64,9 +76,11 @@ struct Stirrer {
   Wanderer wanderer;
   HandLoopState state;
   HandLoopOutput output;
-  double taken = 0.0;                          // [J] by the forces from the hand
-  double atTouch = 0.0, highest = 0.0;         // [J] the same when this contact began; most since
-  double created = 0.0, returned = 0.0;        // [J] most that a contact gave beyond what it had taken; that it gave back
+  double taken = 0.0, least = 0.0;             // [J] by the forces from the hand; the least that it ever was
+  double inPhysics = 0.0;                      // [J] by the simulated tool
+  double atTouch = 0.0, physicsAtTouch = 0.0, highest = 0.0;       // [J] both when this contact began; most of `taken` since
+  double created = 0.0, delivered = 0.0, returned = 0.0;           // [J] largest of any contact, see the rows
+  Vec3 lastForce = Vec3::Zero(), lastPosition = Vec3::Zero();      // [N] [m] of the last step
   double peak = 0.0;                           // [N]
   int touching = 0, damped = 0;                // ticks
 };
@@ -91,9 +105,11 @@ Measurements measureTwoHands(const Model& model, const std::array<Pose, kHands>&
   Measurements all;
   for (const Stirrer& hand : hands) {
     const std::string condition = std::string(&hand == hands ? "left" : "right") + " hand, " + std::to_string(static_cast<int>(seconds)) + " s, seed " + std::to_string(seed);
-    all.push_back({"most energy created within a contact", condition, hand.created, "J", Bound::kAtMost, kCreated});
+    all.push_back({"most energy ever created", condition, -hand.least, "J", Bound::kAtMost, kCreated});
+    all.push_back({"most created within a contact", condition, hand.created, "J", Bound::kAtMost, kCreated});
+    all.push_back({"most a contact gave with what others put in", condition, hand.delivered, "J"});
+    all.push_back({"most given back within a contact", condition, hand.returned, "J"});
     all.push_back({"energy left in the tissue", condition, hand.taken, "J"});
-    all.push_back({"most energy given back within a contact", condition, hand.returned, "J"});
     all.push_back({"time in contact", condition, hand.touching * config.period, "s", Bound::kAtLeast, 0.1 * seconds});
     all.push_back({"time with damping added", condition, hand.damped * config.period, "s"});
     all.push_back({"largest force", condition, hand.peak, "N", Bound::kAtMost, 3.3 + 1e-9});

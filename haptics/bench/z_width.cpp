@@ -53,12 +53,13 @@ double mostDampedQuietWall(const PressPlan& plan, double stiffness, double upTo)
   return best;
 }
 
-Measurements measureZWidth() {
+Measurements measureZWidth(const Heard& heard) {
   Measurements all;
   for (const double period : {0.5e-3, 1e-3, 2e-3})
     for (const double delay : {0.0, 1e-3, 2e-3, 5e-3}) {
       if (delay > 0.0 && delay < period) continue;
       for (const NamedHand& hand : threeHands()) {
+        if (heard) heard(static_cast<double>(all.size()) / 66.0);
         PressPlan plan = planFor(hand.dynamics, period);
         plan.modelDelay = delay;
         all.push_back(stiffest(plan, conditionOf(period, "model", delay, hand.name), period <= 1e-3));

@@ -39,6 +39,7 @@ TEST(ForceQuality, TheSearchFindsColgatesLimitOnABareDevice) {
 
 TEST(ForceQuality, ZWidth) { expectMet(measureZWidth()); }
 TEST(ForceQuality, NominalStiffnessOfTheTouchIsRenderedAndQuiet) { expectMet(measureNominalWall()); }
+TEST(ForceQuality, NoPressCreatesEnergy) { expectMet(measurePressEnergy()); }
 TEST(ForceQuality, ForceIsContinuousWhileModelsAreReplaced) { expectMet(measureContinuity()); }
 TEST(ForceQuality, HeldContactDoesNotBuzz) { expectMet(measureHeldContact()); }
 TEST(ForceQuality, ForceIsTheSameAtEveryRate) { expectMet(measureRateInvariance()); }
@@ -47,6 +48,35 @@ TEST(ForceQuality, ForceIsTheSpringsForce) { expectMet(measureAccuracy()); }
 TEST(ForceQuality, FrictionOfTheContactIsFelt) { expectMet(measureContactFriction()); }
 TEST(ForceQuality, FaultsReachTheMotorsAsLittle) { expectMet(measureFaults()); }
 TEST(ForceQuality, WarmMotorsGetTheirContinuousForce) { expectMet(measureThermal()); }
+TEST(ForceQuality, StiffnessIsTheDevicesNotTheScenes) { expectMet(measureCouplingLimits()); }
+
+/// Where nothing is created, the controller does nothing: on a wall whose damping is above K T / 2 it never speaks.
+TEST(ForceQuality, PassivityIsSilentWhereNothingIsCreated) {
+  for (const NamedHand& hand : threeHands()) {
+    SpringWall wall{300.0, 1.0, 2e-3};
+    Pose start;
+    start.position.y() = 5e-3;
+    HandDynamics slow = hand.dynamics;
+    slow.maxSpeed = 0.05;
+    Rig rig({}, slow, start);
+    bool pressed = false;
+    for (int i = 0; i < 3000; ++i) {
+      rig.target.pose.position.y() = i / 500 % 2 == 1 ? -2e-3 : 5e-3;
+      rig.advance(wall);
+      pressed = pressed || rig.output.force.y() > 0.3;
+      ASSERT_EQ(rig.output.faults & kFaultPassivity, 0u) << hand.name << ", tick " << i;
+    }
+    EXPECT_TRUE(pressed) << hand.name;
+  }
+}
+
+/// The scene may ask for any stiffness: the loop on a device of another nominal stiffness shows that device's.
+TEST(ForceQuality, CouplingCapsAreTwiceTheNominalStiffnessOfTheDevice) {
+  const CouplingCaps fromDevice{0.0, 5.0, 10.0};
+  EXPECT_DOUBLE_EQ(couplingCaps(fromDevice, DeviceLimits{}, 1.0).stiffness, 2040.0);
+  EXPECT_DOUBLE_EQ(couplingCaps(fromDevice, DeviceLimits{}, 1.5).stiffness, 1360.0);
+  EXPECT_DOUBLE_EQ(couplingCaps(fromDevice, {8.0, 2.5, 3000.0, 0.05e-3}, 1.0).stiffness, 6000.0);
+}
 
 }  // namespace
 }  // namespace halsted::haptics::bench

@@ -62,6 +62,29 @@ gcc -std=c11 -Wall -Wextra -I"$prefix/include" "$programs/shape_demo.c" -o "$roo
 expect 0 '^vendor Halsted \(HL is not provided\) context 0 shape 0 HL errors 5 device 1$' 'ticks 800 strongest [1-9.]+' 'error 0$' -- "$root/shape_demo"
 grep -q 'HL Error: HL_INVALID_OPERATION' "$root/err" && grep -q 'haptic rendering' "$root/err" || fail "shape_demo: errors"
 
+# One that cleans nothing up: its callback runs on while the process ends.
+cat >"$root/careless.cc" <<'EOF'
+#include <HD/hd.h>
+#include <cstdio>
+#include <string>
+#include <vector>
+static std::vector<std::string> log_of_ticks(1000, "a text that is long enough to live on the heap");
+static HDCallbackCode HDCALLBACK forever(void *) {
+  hdBeginFrame(hdGetCurrentDevice());
+  hdEndFrame(hdGetCurrentDevice());
+  return HD_CALLBACK_CONTINUE;
+}
+int main() {
+  hdInitDevice(HD_DEFAULT_DEVICE);
+  hdScheduleAsynchronous(forever, 0, HD_MAX_SCHEDULER_PRIORITY);
+  hdStartScheduler();
+  while (hdGetSchedulerTimeStamp() == 0.0) {}
+  std::puts("left running");
+}
+EOF
+g++ -std=c++11 -I"$prefix/include" "$root/careless.cc" -o "$root/careless" -L"$lib" -lHDU -lHD
+for time in 1 2 3 4 5; do expect 0 '^left running$' -- "$root/careless"; done
+
 if command -v python3 >/dev/null; then
   expect 0 '^rows [0-9]+ reach (29|3[0-9])\.[0-9] presses 2 rate ok$' -- python3 "$programs/touch_logger.py" "$lib/libHD.so" 1.3 "$root/log.csv"
   [ "$(wc -l <"$root/log.csv")" -gt 500 ] || fail "the log is short"

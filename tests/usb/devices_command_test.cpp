@@ -1,13 +1,7 @@
 /// `halsted devices` as a user meets it: the real program and the real libusb, with device models on the cable.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include "haptics/falcon/falcon_model.h"
 #include "haptics/open_device/open_model.h"
 #include "haptics/touch/touch_model.h"
-#include "tests/haptics/usb/falcon_rig.h"
 #include "tests/usb/program.h"
-#include "tests/usb/usb_emulation.h"
 
 namespace halsted::haptics {
 namespace {
@@ -19,16 +13,11 @@ using halsted::testing::UsbEmulation;
 using ::testing::HasSubstr;
 using nlohmann::json;
 
-class DevicesCommand : public ::testing::Test {
+class DevicesCommand : public halsted::testing::WithEmulation {
  protected:
-  void SetUp() override {
-    ASSERT_TRUE(UsbEmulation::available()) << "run through ctest: it needs LD_PRELOAD=libumockdev-preload.so.0";
-  }
   static json list(std::vector<std::string> more = {}, int exitCode = 0) {
     more.insert(more.begin(), {"devices", "--json"});
-    const ProcessResult result = runHalsted(more);
-    EXPECT_EQ(result.exitCode, exitCode) << result.errors;
-    return json::parse(result.output);
+    return outcome(runHalsted(more), exitCode);
   }
   static void expectOneLine(const std::string& text) { EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text; }
 };

@@ -28,6 +28,9 @@ class TrainVendor : public ::testing::Test {
                     seconds, "--record", folder.file("a.halsted")});
   }
   void expectWhole(const ProcessResult& result, int steps) const {
+#ifdef HALSTED_SANITIZED
+    steps /= 25;                               // physics falls behind
+#endif
     ASSERT_EQ(result.exitCode, 0) << result.errors;
     EXPECT_GT(json::parse(result.output)["steps"].get<int>(), steps);
     const ProcessResult replay = halsted({"replay", folder.file("a.halsted"), "--verify"});
