@@ -11,7 +11,6 @@ namespace halsted::render {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;         // [rad]
-constexpr double kFingerLength = 9.0;                    // [1] radii that are drawn
 
 /// A straight tube from (z, radius) pairs.
 Tube straightTube(const std::vector<std::array<double, 2>>& profile) {   // [m]

@@ -70,6 +70,9 @@ Image makeBodyImage(int size) {
   return image;
 }
 
+const char* const kWithShadow = "#define LIT (0.56 + 0.44 * texture(uShadow, vShadow))\n";
+const char* const kWithoutShadow = "#define LIT 1.0\n";
+
 const char* const kSkinFragment = R"(
 in vec3 vPosition, vNormal, vShadow;
 in vec2 vUv;
@@ -98,8 +101,7 @@ void main() {
   s *= s; s *= s; s *= s; float dull = s * s;               // power 16
   float edge = 1.0 - facing; edge *= edge; edge *= edge;
   c += (0.085 * dull * s + 0.045 * dull) * (0.4 + 0.6 * detail.r) + 0.05 * edge;
-  float lit = texture(uShadow, vShadow);
-  color = vec4(sqrt(c) * (0.56 + 0.44 * lit), 1.0);
+  color = vec4(sqrt(c) * LIT, 1.0);
 })";
 
 const char* const kSectionFragment = R"(

@@ -12,7 +12,9 @@ const Vec3 kSkinPale(0.60, 0.385, 0.275), kSkinRosy(0.585, 0.325, 0.235);   // [
 /// r: relief of skin, 0 in its furrows; g: lobules of fat, 0 in the septa; b: muscle fibres along the first axis; a: mottling. Tiles.
 Image makeBodyImage(int size);
 
-extern const char* const kSkinFragment;
+extern const char* const kSkinFragment;                  // after one of these two lines
+extern const char* const kWithShadow;
+extern const char* const kWithoutShadow;                 // for kFieldFragment to darken where a shadow may fall
 extern const char* const kSectionFragment;               // fat, muscle and what a cut bares; vColor.a: 0 fat, 0.35 fascia over muscle, 0.65 muscle, 1 dermis
 extern const char* const kHandleFragment;                // wound with steel and copper wire, so that a turn is seen
 extern const char* const kSheetFragment;                 // what the body lies on

@@ -4,6 +4,7 @@
 
 #include "render/acupuncture_tools.h"
 #include "render/body_look.h"
+#include "render/body_stand.h"
 #include "render/body_surface.h"
 #include "render/camera.h"
 #include "render/canvas.h"
@@ -19,45 +20,13 @@ constexpr int kShadowSize = 1024;                        // texels
 constexpr double kLampRadius = 0.075;                    // [m] round the target: what casts and catches shadows
 constexpr double kMarkRadius = 3e-3;                     // [m] of the target's ring: what counts as having found it
 
-Program programOf(const char* vertex, const char* fragment) { return makeProgram(shaderHead() + vertex, shaderHead() + fragment); }
+Program programOf(const char* vertex, const char* fragment, const char* switches = "") {
+  return makeProgram(shaderHead() + vertex, shaderHead() + switches + fragment);
+}
 
 void bindTexture(TextureUnit unit, const Texture& texture) {
   glActiveTexture(GL_TEXTURE0 + unit);
   glBindTexture(GL_TEXTURE_2D, texture);
-}
-
-/// Picture space: the target at the origin, +z out of the skin, +y toward the viewer. Lamp and mirrored room stand in it.
-struct Stand {
-  Vec3 origin = Vec3::Zero();                            // [m]
-  Mat3 turn = Mat3::Identity();                          // [1] world to picture
-
-  explicit Stand(const RenderScene& scene) {
-    Vec3 up = scene.camera.up.normalized();
-    if (scene.body.target >= 0 && scene.body.target < static_cast<int>(scene.body.points.size())) {
-      origin = scene.body.points[static_cast<std::size_t>(scene.body.target)].place;
-      up = scene.body.points[static_cast<std::size_t>(scene.body.target)].normal.normalized();
-    }
-    Vec3 toViewer = scene.camera.eye - origin;
-    toViewer -= toViewer.dot(up) * up;
-    if (toViewer.squaredNorm() < 1e-12) toViewer = up.cross(std::abs(up.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY());
-    toViewer.normalize();
-    turn << toViewer.cross(up).transpose(), toViewer.transpose(), up.transpose();
-  }
-  Vec3 place(const Vec3& p) const { return turn * (p - origin); }                     // [m]
-  Vec3 way(const Vec3& d) const { return turn * d; }
-  Pose pose(const Pose& p) const { return {place(p.position), Quat(turn) * p.orientation}; }
-  CameraView view(const CameraView& v) const { return {place(v.eye), place(v.target), way(v.up), v.fovDegrees}; }
-};
-
-Shape makeSheet(double height) {                         // [m]
-  constexpr float kHalf = 0.9f, kTile = 0.2f;            // [m]
-  Shape shape;
-  for (int k = 0; k < 4; ++k) {
-    const float x = k == 1 || k == 2 ? kHalf : -kHalf, y = k > 1 ? kHalf : -kHalf;   // [m]
-    shape.vertices.push_back({{x, y, static_cast<float>(height)}, {0, 0, 1}, {x / kTile, y / kTile}, {255, 255, 255, 255}});
-  }
-  shape.indices = {0, 1, 2, 0, 2, 3};
-  return shape;
 }
 
 struct BodyPainting final : Painting {
@@ -70,9 +39,11 @@ struct BodyPainting final : Painting {
   std::vector<AcupointMark> points;                      // picture space
   int target;
   std::array<ToolKind, kHands> tools;
-  double fingerRadius;                                   // [m]
+  double fingerRadius, needleLength, needleWidth;        // [m] of the whole needle: to the end of its loop, half of the loop's breadth
+  std::vector<CapsuleShape> casters;                     // picture space
   Vec3 fingerFrom;                                       // [1] the side that the pressing hand comes from
-  Program skin = programOf(kRigidVertex, kSkinFragment), section = programOf(kRigidVertex, kSectionFragment);
+  Program skin = programOf(kRigidVertex, kSkinFragment, kWithShadow), skinBare = programOf(kRigidVertex, kSkinFragment, kWithoutShadow);
+  Program shadowLook = programOf(kRigidVertex, kFieldFragment), section = programOf(kRigidVertex, kSectionFragment);
   Program sheetLook = programOf(kRigidVertex, kSheetFragment), steel = programOf(kRigidVertex, kSteelFragment);
   Program shaftLook = programOf(kTubeVertex, kNeedleFragment), handleLook = programOf(kTubeVertex, kHandleFragment);
   Program markLook = programOf(kHoleVertex, kMarkFragment);
@@ -89,15 +60,10 @@ struct BodyPainting final : Painting {
   void drawTools(const RenderSnapshot&, const Matrix4& view, const CameraView&) const;
   void drawMarks(const Matrix4& view, const CameraView&, bool cutaway);
   void drawShadows(const RenderSnapshot&) const;
+  void drawSkinShadows(const RenderSnapshot&, const Matrix4& view, const CameraView&, bool cutaway);
   void drawMagnified(const RenderSnapshot&, const CameraView&, bool cutaway);
   Pose fingerStand(const RenderSnapshot&, int hand) const;
 };
-
-std::vector<Vec3> placed(const Stand& stand, const std::vector<Vec3>& world) {   // [m]
-  std::vector<Vec3> out(world.size());
-  std::transform(world.begin(), world.end(), out.begin(), [&](const Vec3& p) { return stand.place(p); });
-  return out;
-}
 
 GpuMesh makeMark() {
   GpuMesh mesh{makeArray(), makeBuffer(), {}, 6};
@@ -109,7 +75,9 @@ GpuMesh makeMark() {
 
 BodyPainting::BodyPainting(const RenderScene& scene, const Canvas& canvas)
     : picture(canvas), stand(scene), particles(placed(stand, scene.tissueRest)), points(scene.body.points), target(scene.body.target),
-      tools(scene.tools), fingerRadius(scene.fingerRadius), body(scene, particles), sheet(uploadShape(makeSheet(body.lowest()))), shaft(uploadTube(makeShaft(scene.straightNeedle))),
+      tools(scene.tools), fingerRadius(scene.fingerRadius),
+      needleLength(scene.straightNeedle.length + scene.straightNeedle.handleLength + 5.0 * scene.straightNeedle.handleRadius),
+      needleWidth(3.0 * scene.straightNeedle.handleRadius), body(scene, particles), sheet(uploadShape(makeSheet(body.lowest()))), shaft(uploadTube(makeShaft(scene.straightNeedle))),
       handle(uploadTube(makeHandle(scene.straightNeedle))), loop(uploadShape(makeHandleLoop(scene.straightNeedle))),
       finger(uploadShape(scene.fingerRadius > 0.0 ? makeFinger(scene.fingerRadius) : Shape{})), mark(makeMark()), viewHeight(canvas.height()) {
   for (AcupointMark& point : points) {
@@ -197,6 +165,24 @@ void BodyPainting::drawTools(const RenderSnapshot& snapshot, const Matrix4& view
   glDisable(GL_BLEND);
 }
 
+/// A lookup for every pixel of skin would cost more than all else that is done for it.
+void BodyPainting::drawSkinShadows(const RenderSnapshot& snapshot, const Matrix4& view, const CameraView& camera, bool cutaway) {
+  constexpr double kSoft = 0.5e-3;                       // [m] what filtering adds to a shadow
+  casters.clear();
+  for (int hand = 0; hand < kHands; ++hand) {
+    const bool isFinger = tools[hand] == ToolKind::kFinger;
+    const Pose pose = isFinger ? fingerStand(snapshot, hand) : stand.pose(snapshot.tools[hand].pose);
+    const double length = isFinger ? kFingerLength * fingerRadius : needleLength;         // [m]
+    if (isFinger || tools[hand] == ToolKind::kAcupunctureNeedle)
+      casters.push_back({pose.position, pose.apply(Vec3(0.0, 0.0, length)), kSoft + (isFinger ? 1.25 * fingerRadius : needleWidth)});
+  }
+  use(shadowLook, view, camera);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_DST_COLOR, GL_ZERO);
+  body.drawShadowed(cutaway, casters);
+  glDisable(GL_BLEND);
+}
+
 /// Ink follows the skin; what lies in the part that is cut away is not drawn.
 void BodyPainting::drawMarks(const Matrix4& view, const CameraView& camera, bool cutaway) {
   static constexpr float kCorner[6][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}};   // [1]
@@ -239,8 +225,9 @@ void BodyPainting::draw(const RenderSnapshot& snapshot, const CameraView& world,
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   bindTexture(kReflectionUnit, reflection);
   bindTexture(kSurfaceUnit, bodyImage);
-  use(skin, view, camera);
+  use(skinBare, view, camera);
   body.drawSkin(cutaway);
+  drawSkinShadows(snapshot, view, camera, cutaway);
   use(section, view, camera);
   body.drawInside(cutaway);
   use(sheetLook, view, camera);
