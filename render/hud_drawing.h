@@ -14,13 +14,14 @@ class HudDrawing {
   ~HudDrawing();
   HudDrawing(const HudDrawing&) = delete;
   HudDrawing& operator=(const HudDrawing&) = delete;
-  void draw(const RenderSnapshot&, const HudInput&);
+  void draw(const RenderSnapshot&, const HudInput&, const CameraView&);
 
  private:
   ImGuiContext* context_ = nullptr;
   float width_, height_, scale_;                           // pixels, pixels, [1] of a 720-line picture
   HudPanels panels_;
   std::string title_;
+  LayeredBody body_;
   std::vector<std::string> ids_, instructions_;
   std::array<ToolKind, kHands> tools_;
 };

@@ -63,6 +63,7 @@ void runWindow(const TrainOptions& options, const Scenario& scenario, LiveSessio
     session.links().mouseTarget.back() = window.target();
     session.links().mouseTarget.publish();
     session.links().helpVisible.store(window.helpVisible());
+    session.links().otherView.store(window.otherView());
     if (session.links().frame.acquire()) window.show(session.links().frame.front());
     if (nothingLeft(scenario, session)) break;
   }

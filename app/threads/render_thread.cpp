@@ -9,7 +9,7 @@
 namespace halsted::app {
 namespace {
 
-const char* const kHelp = "mouse: move  wheel: nearer, farther  right drag: turn  left button or space: close the jaws  Esc: end";
+const char* const kHelp = "mouse: move  wheel: nearer, farther  right drag: turn  left button or space: close the jaws  C: cut the body open  Esc: end";
 constexpr double kMessageTime = 3.0;           // [s] an event stays on screen
 
 /// Rates over the last half second, for the panel.
@@ -60,6 +60,7 @@ struct Panel {
     hud.hapticRate = rates.hapticRate;
     hud.late = rates.late;
     readEvents(links, dt, hud.message, messageUntil);
+    hud.otherView = links.otherView.load();
     if (links.helpVisible.load()) hud.message = kHelp;
   }
 };
