@@ -100,6 +100,7 @@ void drawGlassFrame(const Pen& pen, const HudSize& size, const NeedlingView& n) 
   const Glass g = magnifier(static_cast<int>(size.width), static_cast<int>(size.height));        // pixels of a 720-line picture
   const float x = static_cast<float>(g.x), y = static_cast<float>(g.y), w = static_cast<float>(g.width), h = static_cast<float>(g.height);   // pixels
   pen.list->AddRect(pen.at(x, y), pen.at(x + w, y + h), kDim, 0.0f, 0, 1.5f * pen.scale);
+  pen.panel(x, y + h - 26.0f, w, 26.0f);
   const float millimetre = h / static_cast<float>(1e3 * kGlassHeight);              // pixels
   pen.list->AddLine(pen.at(x + 10, y + h - 10), pen.at(x + 10 + millimetre, y + h - 10), kText, 2.0f * pen.scale);
   pen.text(x + 14 + millimetre, y + h - 19, kText, "1 mm", 12);
