@@ -147,6 +147,19 @@ bool looksElsewhere(const Vec3& normal, std::span<const TouchPoint> taken) {
   return true;
 }
 
+/// Triangles whose first corner lies within the capsule; false when there are more than the list holds.
+bool listNear(const Model& m, const State& s, const CapsuleShape& around, ToolState& t) {
+  t.nearCount = 0;
+  for (std::size_t f = 0; f < m.surface.triangles.size(); ++f) {
+    const Vec3& x = s.tissue.position[m.surface.triangles[f][0]];
+    const Vec3 axis = around.a + closestOnSegment(x, around.a, around.b) * (around.b - around.a);
+    if ((x - axis).squaredNorm() >= around.radius * around.radius) continue;
+    if (t.nearCount == ToolState::kMaxNear) return false;
+    t.nearTriangle[t.nearCount++] = static_cast<std::int32_t>(f);
+  }
+  return true;
+}
+
 }  // namespace
 
 void refreshNear(const Model& m, int hand, State& s) {
@@ -154,13 +167,9 @@ void refreshNear(const Model& m, int hand, State& s) {
   if (s.step % kRefreshInterval != static_cast<unsigned>(hand)) return;
   const ToolParams& p = m.params.tools[hand];
   const Vec3 tip = t.proxy.position, top = t.proxy.apply(Vec3(0.0, 0.0, p.jawLength + p.shaftLength));
-  const double reach = p.shaftRadius + kNearReach;
-  t.nearCount = 0;
-  for (std::size_t f = 0; f < m.surface.triangles.size() && t.nearCount < ToolState::kMaxNear; ++f) {
-    const Vec3& x = s.tissue.position[m.surface.triangles[f][0]];
-    const Vec3 axis = tip + closestOnSegment(x, tip, top) * (top - tip);
-    if ((x - axis).squaredNorm() < reach * reach) t.nearTriangle[t.nearCount++] = static_cast<std::int32_t>(f);
-  }
+  // Where the list would overflow (a shaft lying along a finely meshed wall) the farthest are left out, not the last by index.
+  for (double reach = p.shaftRadius + kNearReach;; reach *= 0.9)
+    if (listNear(m, s, {tip, top, reach}, t)) break;
   for (int i = t.nearCount; i < ToolState::kMaxNear; ++i) t.nearTriangle[i] = -1;
 }
 
