@@ -46,7 +46,7 @@ TEST(GoldenHash, OfTheNeedledSlabIsReachedByEveryCompilerAndBuild) {
 }
 
 INSTANTIATE_TEST_SUITE_P(GoldenHash, SolverHash, ::testing::Values("projective", "xpbd", "shape_matching"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& solver) { return std::string(solver.param); });
 
 }  // namespace
 }  // namespace halsted::app

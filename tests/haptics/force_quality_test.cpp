@@ -42,6 +42,7 @@ TEST(ForceQuality, NominalStiffnessOfTheTouchIsRenderedAndQuiet) { expectMet(mea
 TEST(ForceQuality, NoPressCreatesEnergy) { expectMet(measurePressEnergy()); }
 TEST(ForceQuality, ForceIsContinuousWhileModelsAreReplaced) { expectMet(measureContinuity()); }
 TEST(ForceQuality, HeldContactDoesNotBuzz) { expectMet(measureHeldContact()); }
+TEST(ForceQuality, NoThrowPassesASheet) { expectMet(measurePopThrough(600)); }   // halsted devices --bench throws 10 000 times
 TEST(ForceQuality, ForceIsTheSameAtEveryRate) { expectMet(measureRateInvariance()); }
 TEST(ForceQuality, SampleAndForceShareATick) { expectMet(measureLatency()); }
 TEST(ForceQuality, ForceIsTheSpringsForce) { expectMet(measureAccuracy()); }
