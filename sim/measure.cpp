@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/contact/geometry.h"
+#include "sim/needling/needling_scene.h"
 #include "sim/suture/holes.h"
 
 namespace halsted {
@@ -116,17 +117,7 @@ std::array<double, 2> tailTensions(const Model& m, const StrandState& s) {
   return {strandTension(m.strand, s, s.holes[0].coordinate, -1), strandTension(m.strand, s, s.holes[s.holeCount - 1].coordinate, 1)};
 }
 
-}  // namespace
-
-double openingArea(const TetMesh& mesh, std::span<const Vec3> x) {
-  const Vec3 centre = rimCentre(mesh, x);
-  Vec3 area = Vec3::Zero();                    // [m^2] twice
-  for (std::size_t i = 0; i < mesh.rim.size(); ++i) area += (x[mesh.rim[i]] - centre).cross(x[mesh.rim[(i + 1) % mesh.rim.size()]] - centre);
-  return 0.5 * area.norm();
-}
-
-void measure(const Model& m, State& s, StepOutput& out) {
-  measureHands(s);
+void measureSuture(const Model& m, State& s, StepOutput& out) {
   countBites(m, s, out);
   measureStretch(m, s);
   MetricsState& metrics = s.metrics;
@@ -136,7 +127,6 @@ void measure(const Model& m, State& s, StepOutput& out) {
   const auto tails = tailTensions(m, s.strand);
   const auto set = [&](Quantity q, double value) { out.seen[static_cast<int>(q)] = value; };
   const int last = metrics.biteCount < kMaxBites ? metrics.biteCount - 1 : kMaxBites - 1;
-  set(Quantity::kTime, s.step * m.params.dt);
   set(Quantity::kNeedleHeld, s.tools[0].holdsNeedle + s.tools[1].holdsNeedle);
   set(Quantity::kBites, metrics.biteCount);
   set(Quantity::kStitchAcrossOpening, metrics.acrossOpening);
@@ -147,7 +137,6 @@ void measure(const Model& m, State& s, StepOutput& out) {
   set(Quantity::kOpeningFraction, m.restOpening > 0.0 ? metrics.openingArea / m.restOpening : 0.0);
   set(Quantity::kRimToAnvil, rimToRod(m, s.tissue.position));
   set(Quantity::kTailsHeld, (s.tools[0].threadCoordinate >= 0.0) + (s.tools[1].threadCoordinate >= 0.0));
-  set(Quantity::kPeakForce, std::fmax(metrics.hands[0].peakForce, metrics.hands[1].peakForce));
   set(Quantity::kTears, metrics.tears);
   const KnotState& knot = s.knot;
   set(Quantity::kThrows, knot.throws);
@@ -158,6 +147,25 @@ void measure(const Model& m, State& s, StepOutput& out) {
   set(Quantity::kKnotSize, knot.size);
   set(Quantity::kToolTurns, knot.toolTurns[kRight] < 0 ? -knot.toolTurns[kRight] : knot.toolTurns[kRight]);
   set(Quantity::kThreadBreaks, knot.breaks);
+}
+
+}  // namespace
+
+double openingArea(const TetMesh& mesh, std::span<const Vec3> x) {
+  const Vec3 centre = rimCentre(mesh, x);
+  Vec3 area = Vec3::Zero();                    // [m^2] twice
+  for (std::size_t i = 0; i < mesh.rim.size(); ++i) area += (x[mesh.rim[i]] - centre).cross(x[mesh.rim[(i + 1) % mesh.rim.size()]] - centre);
+  return 0.5 * area.norm();
+}
+
+void measure(const Model& m, const StepInput& input, State& s, StepOutput& out) {
+  measureHands(s);
+  out.seen[static_cast<int>(Quantity::kTime)] = s.step * m.params.dt;
+  out.seen[static_cast<int>(Quantity::kPeakForce)] = std::fmax(s.metrics.hands[0].peakForce, s.metrics.hands[1].peakForce);
+  switch (m.params.model) {
+    case ModelKind::kSuture: measureSuture(m, s, out); break;
+    case ModelKind::kNeedling: measureNeedling(m, input, s, out); break;
+  }
 }
 
 }  // namespace halsted

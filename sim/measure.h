@@ -6,7 +6,7 @@
 
 namespace halsted {
 
-void measure(const Model&, State&, StepOutput&);
+void measure(const Model&, const StepInput&, State&, StepOutput&);
 
 /// Area enclosed by the rim's outline [m^2].
 double openingArea(const TetMesh&, std::span<const Vec3> tissue);

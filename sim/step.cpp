@@ -2,6 +2,7 @@
 
 #include "sim/contact/tissue_contact.h"
 #include "sim/measure.h"
+#include "sim/needling/needling_scene.h"
 #include "sim/suture/holes.h"
 #include "sim/suture/knot_watch.h"
 #include "sim/suture/knotting.h"
@@ -40,8 +41,14 @@ ToolSample safeSample(const ToolSample& sample, const ToolState& t) {
   return safe;
 }
 
+StepInput safeInput(const StepInput& input, const State& s) {
+  StepInput safe = input;
+  for (int hand = 0; hand < kHands; ++hand) safe.tools[hand] = safeSample(input.tools[hand], s.tools[hand]);
+  return safe;
+}
+
 void moveTools(const Model& m, const StepInput& input, State& s, StepOutput& out) {
-  for (int hand = 0; hand < kHands; ++hand) moveTool(m, hand, safeSample(input.tools[hand], s.tools[hand]), s, out);
+  for (int hand = 0; hand < kHands; ++hand) moveTool(m, hand, input.tools[hand], s, out);
 }
 
 bool solveThread(const Model& m, const KnottingMotion& motion, State& s, StepOutput& out) {
@@ -81,10 +88,7 @@ void stepProcedure(const Model& m, State& s, StepOutput& out) {
   pushEvent(out, {s.step, kind, -1, before, s.step * m.params.dt});
 }
 
-}  // namespace
-
-void step(const Model& m, const StepInput& input, State& s, StepOutput& out) {
-  beginOutput(out);
+void stepSuture(const Model& m, const StepInput& input, State& s, StepOutput& out) {
   carryForces(m, s);
   predictTissue(m.tissue, s.work.force, s.tissue, s.work.tissue);
   const std::array<Pose, kHands> before{s.tools[0].proxy, s.tools[1].proxy};
@@ -100,11 +104,23 @@ void step(const Model& m, const StepInput& input, State& s, StepOutput& out) {
   solveTissueContact(m, s);
   answerChange(m, s);
   finishTissue(m.tissue, s.tissue, s.work.tissue);
+  for (int hand = 0; hand < kHands; ++hand) writeLocalContact(m, s, hand, input.tools[hand], out.contact[hand]);
+}
+
+}  // namespace
+
+void step(const Model& m, const StepInput& given, State& s, StepOutput& out) {
+  const StepInput input = safeInput(given, s);
+  beginOutput(out);
+  switch (m.params.model) {
+    case ModelKind::kSuture: stepSuture(m, input, s, out); break;
+    case ModelKind::kNeedling: stepNeedling(m, input, s, out); break;
+  }
   ++s.step;
   watchKnots(m, s, out);
-  measure(m, s, out);
+  measure(m, input, s, out);
   stepProcedure(m, s, out);
-  for (int hand = 0; hand < kHands; ++hand) writeLocalContact(m, s, hand, input.tools[hand], out.contact[hand]);
+  for (LocalContact& c : out.contact) c.step = s.step;
 }
 
 }  // namespace halsted
