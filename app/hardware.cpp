@@ -1,5 +1,6 @@
 #include "app/hardware.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -54,6 +55,18 @@ std::vector<std::string> attachedHardware() {
     if (const haptics::KnownDevice* known = haptics::knownDevice(usb); known && known->drive == haptics::Drive::kDriven)
       names.push_back(std::string(known->driver) + (usb.serial.empty() ? "" : ":" + usb.serial));
   return names;
+}
+
+void takeAttached(std::vector<std::string> attached, std::string& left, std::string& right) {
+  for (const std::string* named : {&left, &right}) {             // `falcon` alone takes the first Falcon, as its driver will
+    const auto answersTo = [&](const std::string& device) { return device == *named || device.starts_with(*named + ":"); };
+    if (const auto it = std::find_if(attached.begin(), attached.end(), answersTo); !named->empty() && it != attached.end()) attached.erase(it);
+  }
+  for (std::string* free : {&right, &left}) {
+    if (!free->empty() || attached.empty()) continue;
+    *free = attached.front();
+    attached.erase(attached.begin());
+  }
 }
 
 std::unique_ptr<haptics::UsbProtocol> usbProtocol(const HardwareChoice& choice) {

@@ -20,6 +20,10 @@ HardwareChoice parseHardware(const std::string& text);
 /// What is attached and can be driven, as the command line would name it, in order of bus and port.
 std::vector<std::string> attachedHardware();
 
+/// Fills the hands that were given no device (empty) with what is attached and not named for the other one: the right hand first. A hand
+/// for which there is nothing stays empty.
+void takeAttached(std::vector<std::string> attached, std::string& left, std::string& right);
+
 /// The driver of a USB device; null where `driver` has none. Throws scenes::InputError for a firmware file that cannot be read.
 std::unique_ptr<haptics::UsbProtocol> usbProtocol(const HardwareChoice&);
 

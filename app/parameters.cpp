@@ -24,7 +24,10 @@ struct Printer {
     const char* names[] = {"projective", "xpbd", "shape_matching"};
     return names[static_cast<int>(*solver)];
   }
-  std::string operator()(const ToolKind* kind) const { return *kind == ToolKind::kForceps ? "forceps" : "needle_driver"; }
+  std::string operator()(const ToolKind* kind) const { return name(*kind); }
+  std::string operator()(const ModelKind* kind) const { return *kind == ModelKind::kSuture ? "suture" : "needling"; }
+  std::string operator()(const NetProfile* profile) const { return *profile == NetProfile::kCone ? "cone" : "inverse_distance"; }
+  std::string operator()(const bool* value) const { return *value ? "true" : "false"; }
   std::string operator()(const std::string*) const { return {}; }
   std::string operator()(const scenes::MaterialName&) const { return {}; }
   std::string operator()(const scenes::MeshPath&) const { return {}; }

@@ -2,11 +2,13 @@
 
 #include <numbers>
 
+#include "sim/needling/needling_scene.h"
+
 namespace halsted::app {
 
 RenderScene renderScene(const Scenario& scenario) {
   const SimParams& params = scenario.model.params;
-  const TetMesh& mesh = scenario.mesh;
+  const TetMesh& mesh = scenario.model.mesh;
   RenderScene scene;
   scene.name = scenario.scene.name;
   scene.title = scenario.scene.title;
@@ -24,6 +26,8 @@ RenderScene renderScene(const Scenario& scenario) {
     scene.jaws[hand] = {tool.jawLength, tool.jawRadius, tool.jawAngleDegrees * std::numbers::pi / 180.0};
   }
   scene.camera = scenario.scene.camera;
+  scene.cutaway = scenario.scene.cutaway;
+  describeBody(scenario.model, scene);
   for (const ProcedureStep& step : scenario.model.procedure) {
     scene.instructions.push_back(step.instruction);
     scene.stepIds.push_back(step.id);

@@ -40,7 +40,7 @@ std::string folderOfScript(const std::string& path, const scenes::ExpertScript& 
 
 void build(Scenario& scenario) {
   try {
-    scenario.model = buildModel(scenario.scene.params, scenario.mesh, scenario.scene.procedure);
+    scenario.model = buildModel(scenario.scene.params, scenario.anatomy, scenario.scene.procedure);
   } catch (const std::invalid_argument& error) {
     throw scenes::InputError(scenario.scene.folder + "/scene.toml: " + error.what());
   }
@@ -49,7 +49,7 @@ void build(Scenario& scenario) {
 Scenario scenarioFromFolder(const std::string& folder, const std::vector<std::string>& overrides) {
   Scenario scenario;
   scenario.scene = scenes::readScene(folder, overrides);
-  scenario.mesh = scenes::buildAnatomy(scenario.scene);
+  scenario.anatomy = scenes::buildAnatomy(scenario.scene);
   build(scenario);
   scenario.start = scenes::startPoses(scenario.model);
   return scenario;
@@ -62,13 +62,14 @@ Scenario scenarioFromSession(const std::string& path, const std::vector<std::str
   const SessionHeader& header = scenario.recording->header();
   std::vector<std::string> settings = header.parameters;
   settings.push_back("anatomy.mesh=");          // the anatomy comes from the recording
+  settings.push_back("anatomy.layers_from=");
   settings.insert(settings.end(), overrides.begin(), overrides.end());
   scenario.scene = scenes::parseScene(header.sceneText, path + ":scene.toml", scenes::scenesDirectory() + "/" + header.scene, settings);
   scenario.scene.name = header.scene;
   scenario.scene.text = header.sceneText;
   bool otherAnatomy = false;
   for (const std::string& entry : overrides) otherAnatomy = otherAnatomy || entry.rfind("anatomy.", 0) == 0;
-  scenario.mesh = otherAnatomy ? scenes::buildAnatomy(scenario.scene) : header.mesh;
+  scenario.anatomy = otherAnatomy ? scenes::buildAnatomy(scenario.scene) : header.anatomy;
   build(scenario);
   scenario.start = header.start;
   for (int hand = 0; hand < kHands; ++hand) scenario.devices[hand].text = header.devices[hand];
@@ -125,7 +126,7 @@ SessionHeader sessionHeader(const Scenario& scenario, const std::string& trainee
   header.dt = scenario.model.params.dt;
   header.seed = scenario.model.params.seed;
   header.start = scenario.start;
-  header.mesh = scenario.mesh;
+  header.anatomy = scenario.anatomy;
   return header;
 }
 

@@ -15,7 +15,7 @@ namespace halsted::app {
 
 struct Scenario {
   scenes::SceneFile scene;
-  TetMesh mesh;                                // as built or as recorded; kept for the session file
+  Anatomy anatomy;                             // as built or as recorded; kept for the session file
   Model model;
   std::array<Pose, kHands> start;              // world
   std::array<DeviceChoice, kHands> devices;

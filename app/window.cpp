@@ -68,7 +68,7 @@ struct Window::Parts {
   ScreenFrame screen;
   HandTarget hand;
   double lastX = 0.0, lastY = 0.0;             // [px]
-  bool hasLast = false, help = false;
+  bool hasLast = false, help = false, otherView = false;
 
   Parts(const CameraView& view, int height) : screen(view, height) {}
 
@@ -96,6 +96,7 @@ struct Window::Parts {
   void keyPressed(int key) {
     if (key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(window, GLFW_TRUE);
     if (key == GLFW_KEY_F1) help = !help;
+    if (key == GLFW_KEY_C) otherView = !otherView;
     const Vec3 axes[] = {-screen.right, screen.right, screen.up, -screen.up, screen.toEye, -screen.toEye};
     const int keys[] = {GLFW_KEY_LEFT, GLFW_KEY_RIGHT, GLFW_KEY_UP, GLFW_KEY_DOWN, GLFW_KEY_PAGE_UP, GLFW_KEY_PAGE_DOWN};
     for (int i = 0; i < 6; ++i)
@@ -160,6 +161,7 @@ void Window::poll() {
 
 bool Window::closed() const { return glfwWindowShouldClose(parts_->window) != 0; }
 bool Window::helpVisible() const { return parts_->help; }
+bool Window::otherView() const { return parts_->otherView; }
 const HandTarget& Window::target() const { return parts_->hand; }
 
 }  // namespace halsted::app

@@ -21,6 +21,7 @@ class Window {
   void poll();                                 // reads keys and mouse; waits a few milliseconds at most
   bool closed() const;                         // the user pressed Esc or closed it
   bool helpVisible() const;
+  bool otherView() const;                      // a layered body cut open, or whole where the scene opens it
   const HandTarget& target() const;            // world
 
  private:

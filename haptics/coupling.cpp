@@ -73,6 +73,19 @@ Vec3 withoutAdhesion(const LocalContact& contact, const Vec3& force, const Vec3&
   return pulled.dot(pulled) > kRounding * kRounding ? Vec3(last + clampLength(kept - last, step)) : kept;
 }
 
+Vec3 carriedOn(const LocalContact& contact, const Vec3& last, const Vec3& drift) noexcept {  // [N] both
+  if (contact.planeCount == 0) return last + drift;
+  const PlaneLoad made = explain(contact, contact.force);
+  const Vec3 kept = withoutPull(contact, made, last);
+  return last + (withoutPull(contact, made, kept + drift) - withoutPull(contact, made, kept));
+}
+
+CouplingCaps couplingCaps(const CouplingCaps& configured, const DeviceLimits& device, double scale) noexcept {  // [1]
+  CouplingCaps caps = configured;
+  if (!(caps.stiffness > 0.0)) caps.stiffness = 2.0 * device.stiffness / scale;
+  return caps;
+}
+
 bool usable(const LocalContact& contact) noexcept {
   if (contact.planeCount < 0 || contact.planeCount > LocalContact::kMaxPlanes) return false;
   for (int i = 0; i < contact.planeCount; ++i) {
@@ -116,22 +129,6 @@ double freshness(double age, double fadeAfter, double fadeOver) noexcept {  // [
   if (age <= fadeAfter) return 1.0;
   if (!(fadeOver > 0.0)) return 0.0;
   return std::clamp(1.0 - (age - fadeAfter) / fadeOver, 0.0, 1.0);
-}
-
-double observeEnergy(double energy, const Vec3& heldForce, const Vec3& moved, double dt,
-                     const PassivityConfig& config) noexcept {  // energy [J], dt [s]
-  const double taken = -heldForce.dot(moved);                     // [J]
-  double next = std::min(config.storage, energy + taken);         // [J]
-  if (next < 0.0) next -= next * std::min(1.0, dt / config.forget);
-  if (!std::isfinite(next) || std::abs(next) < 1e-15) return 0.0;  // hostile input or the way to denormals
-  return next;
-}
-
-Vec3 passivityDamping(double energy, const Vec3& v, double dt, const PassivityConfig& config) noexcept {  // [J] [m/s] [s]
-  const double speedSquared = v.dot(v);  // [m^2/s^2]
-  if (energy >= 0.0 || !(speedSquared > config.minSpeed * config.minSpeed)) return Vec3::Zero();
-  const double damping = std::min(config.maxDamping, -energy / (dt * speedSquared));  // [N s/m]
-  return clampLength(-damping * v, config.maxForce);
 }
 
 }  // namespace halsted::haptics

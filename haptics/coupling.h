@@ -1,16 +1,21 @@
 #pragma once
 /// From a local contact model to the force of this instant. Pure functions, haptic thread, noexcept, bounded.
 /// physics.md B7: the haptic thread never sees particles, only the first-order model of what the tool feels.
+#include "haptics/device.h"
 #include "sim/exchange.h"
 
 namespace halsted::haptics {
 
 /// What one hand's device can be asked to show; a model beyond it is scaled down, never refused.
 struct CouplingCaps {
-  double stiffness = 2000.0;                   // [N/m] twice the weakest axis of the Touch
+  double stiffness = 2000.0;                   // [N/m] twice the weakest axis of the Touch; 0 in a loop's configuration: twice its device's
   double damping = 5.0;                        // [N s/m] with the velocity filter 45 g would ring from some 10 on
   double force = 10.0;                         // [N] three times the peak: keeps the blend from remembering what no motor showed
 };
+
+/// The caps of a loop on this device: its nominal stiffness and nothing of the scene says how stiff the hand may be shown the world.
+/// Twice the nominal is quiet with every grip up to 2 ms of delay (haptics/README.md). `scale` magnifies motion, and with it what is felt.
+CouplingCaps couplingCaps(const CouplingCaps& configured, const DeviceLimits&, double scale) noexcept;  // [1]
 
 /// Every number finite, normals of unit length, plane count in range. What is not usable gives zero force and a fault.
 bool usable(const LocalContact&) noexcept;
@@ -27,24 +32,14 @@ Vec3 modelForce(const LocalContact&, const Vec3& x, const Vec3& v, const Couplin
 /// that lets go while the shaft rests on tissue must not jump.
 Vec3 withoutAdhesion(const LocalContact&, const Vec3& force, const Vec3& last, double step) noexcept;  // [N] [N] [N]
 
+/// The force of the last tick, moved on by what motion changes in the model (`drift`): the pushes follow it, a pull stays as it was.
+/// As `last` of withoutAdhesion it lets a force that still holds a trace of a pull fall as fast as the tool leaves.
+Vec3 carriedOn(const LocalContact&, const Vec3& last, const Vec3& drift) noexcept;                    // [N] [N]
+
 /// One tick of decay of the blend offset: exponential for small ones, never more than `step` at once.
 Vec3 decayedOffset(const Vec3& offset, double step, double share) noexcept;                           // [N] [N] [1]
 
 /// Share of the force that a model of this age may still show: 1 until `fadeAfter`, then linear to 0 over `fadeOver`.
 double freshness(double age, double fadeAfter, double fadeOver) noexcept;                             // [s] [s] [s] -> [1]
-
-struct PassivityConfig {
-  double maxDamping = 1.0;                     // [N s/m] added at most; far below mass / period = 45 N s/m of the bare device
-  double maxForce = 0.15;                      // [N] added at most
-  double forceStep = 0.008;                    // [N] a tick: it comes and goes slowly, so that it is not felt as a click
-  double minSpeed = 2e-3;                      // [m/s] below it quantisation, not motion, is what the velocity shows
-  double storage = 50e-3;                      // [J] energy the environment may have taken and can give back: 3.3 N on 110 N/m
-  double forget = 0.5;                         // [s] a deficit is forgotten: the other hand may rightly feed energy into this one
-};
-
-/// Hannaford & Ryu 2002 (time domain passivity). `energy` is what the environment took from the hand, exact for a held force:
-/// E += -F dx. Below zero it gave more than it took, and the controller adds damping until that is paid back.
-double observeEnergy(double energy, const Vec3& heldForce, const Vec3& moved, double dt, const PassivityConfig&) noexcept;  // [J] [N] [m] [s]
-Vec3 passivityDamping(double energy, const Vec3& v, double dt, const PassivityConfig&) noexcept;      // [J] [m/s] [s] -> [N]
 
 }  // namespace halsted::haptics

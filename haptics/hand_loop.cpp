@@ -69,9 +69,22 @@ double modelFreshness(const HandLoopConfig& config, const HandLoopState& state) 
   return freshness(static_cast<double>(state.ageTicks) * config.period, config.fadeAfter, config.fadeOver);
 }
 
+/// What the way from the last position to this one changes in the force of the model in use.
+Vec3 modelDrift(const HandLoopState& state, const Vec3& position) noexcept {  // [m]
+  if (!state.started) return Vec3::Zero();
+  const Vec3 here = modelForce(state.model, position, state.velocity, state.caps);
+  const Vec3 change = here - modelForce(state.model, state.lastPosition, state.velocity, state.caps);
+  return allFinite(change) ? change : Vec3(Vec3::Zero());
+}
+
+/// Takes the pull out of a force, beside what was rendered in the last tick.
+Vec3 pushOnly(const HandLoopConfig& config, const HandLoopState& state, const Vec3& force) noexcept {  // [N]
+  return withoutAdhesion(state.model, force, carriedOn(state.model, state.lastRendered, state.drift), config.blendStep);
+}
+
 /// What the model in use and the blend say here and now.
 Vec3 currentForce(const HandLoopConfig& config, const HandLoopState& state, const Vec3& position) noexcept {  // [m]
-  const Vec3 model = modelForce(state.model, position, state.velocity, config.caps);
+  const Vec3 model = modelForce(state.model, position, state.velocity, state.caps);
   return (model + state.offset) * modelFreshness(config, state);
 }
 
@@ -83,8 +96,8 @@ void takeModel(const LocalContact& contact, const HandLoopConfig& config, const 
   state.lastStep = contact.step;
   state.modelUsable = usable(contact);
   if (!state.modelUsable) return;
-  const Vec3 before = withoutAdhesion(state.model, currentForce(config, state, position), state.lastRendered, config.blendStep);
-  const Vec3 after = modelForce(contact, position, state.velocity, config.caps);
+  const Vec3 before = pushOnly(config, state, currentForce(config, state, position));
+  const Vec3 after = modelForce(contact, position, state.velocity, state.caps);
   state.offset = contact.puncture || !allFinite(before - after) ? Vec3(Vec3::Zero()) : Vec3(before - after);
   state.model = contact;
   state.ageTicks = 1;
@@ -94,8 +107,8 @@ void takeModel(const LocalContact& contact, const HandLoopConfig& config, const 
 /// blend and of the damping too, so that it does not come back.
 Vec3 renderForce(const HandLoopConfig& config, const Vec3& position, HandLoopState& state) noexcept {  // [m]
   const Vec3 blended = currentForce(config, state, position);
-  const Vec3 force = withoutAdhesion(state.model, blended, state.lastRendered, config.blendStep);
-  const Vec3 damped = withoutAdhesion(state.model, force + state.passiveForce, state.lastRendered, config.blendStep);
+  const Vec3 force = pushOnly(config, state, blended);
+  const Vec3 damped = pushOnly(config, state, force + state.passiveForce);
   if (!allFinite(damped)) {  // a model of finite numbers whose force overflows: limitForce cuts it, and nothing of it is kept
     state.offset = state.passiveForce = state.lastRendered = Vec3::Zero();
     return damped;
@@ -107,12 +120,18 @@ Vec3 renderForce(const HandLoopConfig& config, const Vec3& position, HandLoopSta
 }
 
 /// Damping that pays an energy deficit back, in the world. Energy counts at the device, where `scale` has shrunk the motion.
-void keepPassive(const HandLoopConfig& config, const Vec3& moved, double dt, HandLoopState& state,
-                 std::uint32_t& faults) noexcept {  // moved [m], dt [s]
+void keepPassive(const HandLoopConfig& config, const Vec3& moved, double dt, double count, HandLoopState& state,
+                 std::uint32_t& faults) noexcept {  // moved [m], dt [s], count [m] of the encoder
   const double scale = config.mapping.scale;  // [1]
   state.observedEnergy = observeEnergy(state.observedEnergy, state.lastForce, moved / scale, dt, config.passivity);
   Vec3 wanted = Vec3::Zero();
-  if (state.model.touching) wanted = passivityDamping(state.observedEnergy, state.velocity / scale, dt, config.passivity);
+  if (state.model.touching) {
+    // A force held from count to count takes half a count less of the hand on its way in: that alone is no reason to speak.
+    const double uncounted = count * std::sqrt(state.lastForce.dot(state.lastForce));  // [J]
+    const double stored = heldEnergy(state.model.stiffness, state.lastForce) / scale;  // [J]
+    const double owed = state.lastForce.dot(moved) > 0.0 ? std::max(0.0, stored - uncounted) : 0.0;  // [J]
+    wanted = passivityDamping(state.observedEnergy - owed, state.velocity / scale, dt, config.passivity);
+  }
   state.passiveForce += clampLength(wanted - state.passiveForce, config.passivity.forceStep);
   if (state.passiveForce != Vec3::Zero()) faults |= kFaultPassivity;
 }
@@ -135,16 +154,19 @@ void tick(Device& device, const HandLoopConfig& config, const LocalContact& cont
   state.velocity = filterVelocity(config, state, moved, dt);
   if (state.velocity.norm() > config.limits.speed * config.mapping.scale) faults |= kFaultVelocity;
 
+  const DeviceLimits able = device.limits();
+  state.caps = couplingCaps(config.caps, able, config.mapping.scale);
   state.ageTicks += periods;
+  state.drift = modelDrift(state, pose.position);
   takeModel(contact, config, pose.position, state);
-  keepPassive(config, moved, dt, state, faults);
+  keepPassive(config, moved, dt, able.positionStep, state, faults);
   if (!state.modelUsable) faults |= kFaultNonFinite;
   output.stale = static_cast<double>(state.ageTicks) * config.period > config.fadeAfter;
   if (output.stale) faults |= kFaultStale;
   const Vec3 wanted = renderForce(config, pose.position, state);
 
   const Quat& frame = config.mapping.origin.orientation;
-  const Vec3 sent = limitForce(frame.conjugate() * wanted, device.limits(), config.limits, dt, state.limits, faults);
+  const Vec3 sent = limitForce(frame.conjugate() * wanted, able, config.limits, dt, state.limits, faults);
   if (!device.write(sent)) faults |= kFaultDeviceGone;
 
   state.lastForce = frame * sent;

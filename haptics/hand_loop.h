@@ -5,6 +5,7 @@
 #include "haptics/coupling.h"
 #include "haptics/device.h"
 #include "haptics/limits.h"
+#include "haptics/passivity.h"
 #include "sim/exchange.h"
 
 namespace halsted::haptics {
@@ -22,7 +23,7 @@ struct HandLoopConfig {
   double fadeAfter = 50e-3;                    // [s] age of the local model at which the force begins to fade (DESIGN 2)
   double fadeOver = 50e-3;                     // [s] it is zero this much later
   double velocityTime = 4e-3;                  // [s] of the velocity filter: one 0.055 mm count reads as 11 mm/s, and decays
-  CouplingCaps caps;
+  CouplingCaps caps{0.0, 5.0, 10.0};           // [N/m] [N s/m] [N] stiffness 0: from the device
   double blendStep = 0.040;                    // [N] a tick: the most that replacing the model may change the force
   double blendShare = 0.4;                     // [1] a tick: decay of small offsets, so half is gone in 1.4 ticks
   PassivityConfig passivity;
@@ -36,11 +37,13 @@ struct HandLoopState {
   Vec3 velocity = Vec3::Zero();                // [m/s] filtered
   Vec3 lastForce = Vec3::Zero();               // [N] sent
   Vec3 lastRendered = Vec3::Zero();            // [N] before the limits
+  Vec3 drift = Vec3::Zero();                   // [N] what this tick's motion changes in the force of the model that the last one used
   Vec3 offset = Vec3::Zero();                  // [N] blend that keeps the force continuous when the model is replaced
   LocalContact model;                          // in use; kept to compare with the one that replaces it
   std::uint64_t lastStep = 0;                  // physics step of the model in use
   std::uint64_t lastTick = 0;                  // index of the last tick
   std::uint64_t ageTicks = 0;                  // of the model in use; it is one tick old when it arrives
+  CouplingCaps caps;                           // of this tick's device
   Vec3 passiveForce = Vec3::Zero();            // [N] damping that the observer has asked for
   double observedEnergy = 0.0;                 // [J] passivity observer
   LimitState limits;

@@ -94,8 +94,9 @@ void VirtualDevice::moveTip(double h) noexcept {  // [s]
   // Springs act where the tip is, dampers on the velocity that the step ends with (semi-implicit: stable for any damping).
   handForce_ = (aim_ - position_) * hand_.stiffness + (aimVelocity_ - velocity_) * hand_.damping + visual_;
   const Vec3 force = motor_ + stopForce(touch_, position_, velocity_) + handForce_ + velocity_ * hand_.damping;
-  const double inertia = touch_.mass + h * (hand_.damping + touch_.viscosity);  // [kg]
-  Vec3 next = (velocity_ * touch_.mass + force * h) / inertia;
+  const double mass = touch_.mass + hand_.mass;                                  // [kg]
+  const double inertia = mass + h * (hand_.damping + touch_.viscosity);          // [kg]
+  Vec3 next = (velocity_ * mass + force * h) / inertia;
 
   // Coulomb friction takes away speed until there is none: it holds exactly below its threshold and never pushes back.
   const double loss = touch_.friction * h / inertia;  // [m/s]

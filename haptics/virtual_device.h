@@ -34,6 +34,7 @@ struct HandDynamics {
   double turnTime = 15e-3;                     // [s] lag of the orientation
   double maxTurnRate = 12.0;                   // [rad/s]
   double jawRate = 7.0;                        // [1/s] opens in 0.14 s
+  double mass = 0.0;                           // [kg] of the fingers that move with the stylus
 };
 
 class VirtualDevice final : public Device {

@@ -25,7 +25,8 @@ Canvas::Canvas(int width, int height) : width_(width), height_(height), target_(
                              " pixels is outside 16x16 to 8192x8192");
   glBindFramebuffer(GL_FRAMEBUFFER, target_);
   color_ = attach(GL_COLOR_ATTACHMENT0, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height);
-  depth_ = attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, width, height);
+  // Floating point: the software rasteriser works in it and need not convert.
+  depth_ = attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, width, height);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     throw std::runtime_error("this OpenGL cannot draw into a picture of " + std::to_string(width) + "x" + std::to_string(height));
 }

@@ -17,6 +17,7 @@ struct HudInput {
   double framesPerSecond = 0.0;              // [Hz]
   bool stale = false;                        // physics stalled: forces are faded out
   bool late = false;                         // physics cannot keep up with the clock
+  bool otherView = false;                    // a layered body: cut open where the scene opens whole, and the reverse
   std::string message;                       // one line, e.g. the last fault or event; empty = none
 };
 

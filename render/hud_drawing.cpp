@@ -1,47 +1,19 @@
 #include "render/hud_drawing.h"
 
-#include <imgui.h>
 #include <imgui_impl_opengl3.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 
+#include "render/hud_needling.h"
+#include "render/hud_pen.h"
+
 namespace halsted::render {
 namespace {
 
-constexpr ImU32 kText = IM_COL32(232, 240, 240, 255), kDim = IM_COL32(150, 172, 176, 255), kPanel = IM_COL32(6, 16, 20, 150);
-constexpr ImU32 kGood = IM_COL32(104, 214, 160, 255), kWarn = IM_COL32(255, 190, 80, 255), kBad = IM_COL32(255, 96, 84, 255);
-constexpr ImU32 kTrack = IM_COL32(255, 255, 255, 34);
 const char* const kFontPath = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";   // Debian fonts-dejavu-core
 
-/// A pen over the frame's draw list; sizes are in pixels of a 720-line picture.
-struct Pen {
-  ImDrawList* list;
-  float scale;                                             // [1]
-
-  ImVec2 at(float x, float y) const { return ImVec2(x * scale, y * scale); }
-  void panel(float x, float y, float w, float h) const { list->AddRectFilled(at(x, y), at(x + w, y + h), kPanel, 5.0f * scale); }
-  void bar(float x, float y, float w, float share, ImU32 color) const {
-    list->AddRectFilled(at(x, y), at(x + w, y + 6), kTrack, 3.0f * scale);
-    const float filled = w * std::clamp(share, 0.0f, 1.0f);                        // pixels
-    if (filled > 1.0f) list->AddRectFilled(at(x, y), at(x + filled, y + 6), color, 3.0f * scale);
-  }
-  void text(float x, float y, ImU32 color, const char* words, float size = 15.0f, float wrap = 0.0f) const {
-    list->AddText(ImGui::GetFont(), size * scale, at(x, y), color, words, nullptr, wrap * scale);
-  }
-  float width(const char* words, float size = 15.0f) const {                       // pixels of a 720-line picture
-    return ImGui::GetFont()->CalcTextSizeA(size * scale, 1e9f, 0.0f, words).x / scale;
-  }
-  template <typename... Args>
-  void print(float x, float y, ImU32 color, const char* format, Args... args) const {
-    char line[256];
-    std::snprintf(line, sizeof line, format, args...);
-    text(x, y, color, line);
-  }
-};
-
-ImU32 forceColor(double force) { return force > 3.0 ? kBad : force > 1.5 ? kWarn : kGood; }   // [N] devices give 3.3 N at most
 
 void drawProcedure(const Pen& pen, const std::string& title, const std::vector<std::string>& ids,
                    const std::vector<std::string>& instructions, int current) {
@@ -65,9 +37,19 @@ void drawProcedure(const Pen& pen, const std::string& title, const std::vector<s
   }
 }
 
+const char* toolText(ToolKind tool) {
+  switch (tool) {
+    case ToolKind::kNeedleDriver: return "needle driver";
+    case ToolKind::kForceps: return "forceps";
+    case ToolKind::kAcupunctureNeedle: return "needle";
+    case ToolKind::kFinger: return "finger";
+  }
+  return "";
+}
+
 void drawHand(const Pen& pen, float x, float y, const char* hand, ToolKind tool, double force, double jaw) {   // force [N], jaw [1]
   pen.panel(x, y, 216, 50);
-  pen.print(x + 12, y + 6, kText, "%s  %s", hand, tool == ToolKind::kNeedleDriver ? "needle driver" : "forceps");
+  pen.print(x + 12, y + 6, kText, "%s  %s", hand, toolText(tool));
   char line[32];
   std::snprintf(line, sizeof line, "%.2f N", force);
   pen.text(x + 204 - pen.width(line), y + 6, forceColor(force), line);
@@ -122,7 +104,8 @@ void drawWarnings(const Pen& pen, float right, const HudInput& hud) {
 
 HudDrawing::HudDrawing(const RenderScene& scene, int width, int height)
     : width_(static_cast<float>(width)), height_(static_cast<float>(height)), scale_(static_cast<float>(height) / 720.0f),
-      title_(scene.title.empty() ? scene.name : scene.title), ids_(scene.stepIds), instructions_(scene.instructions), tools_(scene.tools) {
+      panels_(width, height),
+      title_(scene.title.empty() ? scene.name : scene.title), body_(scene.body), ids_(scene.stepIds), instructions_(scene.instructions), tools_(scene.tools) {
   context_ = ImGui::CreateContext();
   ImGui::SetCurrentContext(context_);
   ImGuiIO& io = ImGui::GetIO();
@@ -146,12 +129,13 @@ HudDrawing::~HudDrawing() {
   ImGui::DestroyContext(context_);
 }
 
-void HudDrawing::draw(const RenderSnapshot& snapshot, const HudInput& hud) {
+void HudDrawing::draw(const RenderSnapshot& snapshot, const HudInput& hud, const CameraView& camera) {
   ImGui::SetCurrentContext(context_);
   ImGui::GetIO().DeltaTime = 1.0f / 30.0f;                 // [s] nothing animates: the same input gives the same picture
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
-  const Pen pen{ImGui::GetBackgroundDrawList(), scale_};
+  panels_.clear();
+  const Pen pen{ImGui::GetBackgroundDrawList(), panels_, scale_};
   const float right = width_ / scale_, bottom = height_ / scale_;   // pixels of a 720-line picture
   drawProcedure(pen, title_, ids_, instructions_, snapshot.procedureStep);
   for (int hand = 0; hand < kHands; ++hand) {
@@ -159,9 +143,11 @@ void HudDrawing::draw(const RenderSnapshot& snapshot, const HudInput& hud) {
     drawHand(pen, hand == kLeft ? 12.0f : right - 228.0f, bottom - 62.0f, hand == kLeft ? "Left" : "Right", tools_[hand], force,
              snapshot.tools[hand].jaw);
   }
-  drawMeasures(pen, right, bottom - 62.0f, snapshot);
+  if (body_.layers > 0) drawNeedling(pen, {right, bottom}, body_, snapshot, camera);
+  else drawMeasures(pen, right, bottom - 62.0f, snapshot);
   if (hud.live) drawTiming(pen, right, hud);
   drawWarnings(pen, right, hud);
+  panels_.draw();                                          // beneath the words
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }

@@ -20,15 +20,24 @@ double lattice(int x, int y, int z, int period) {
 double blend(double a, double b, double t) { return a + (b - a) * t; }                 // all [1]
 double ease(double t) { return t * t * (3.0 - 2.0 * t); }                              // all [1]
 
+int floorOf(double x) {                                                                // [1]
+  const int i = static_cast<int>(x);
+  return x < i ? i - 1 : i;
+}
+
+/// The field on the edge of a lattice cell that stands at x = i.
+double edge(int i, double y, double z, int period) {                                   // all [1]
+  const int j = floorOf(y), k = floorOf(z);
+  const double v = ease(y - j), w = ease(z - k);                                       // [1]
+  return blend(blend(lattice(i, j, k, period), lattice(i, j + 1, k, period), v),
+               blend(lattice(i, j, k + 1, period), lattice(i, j + 1, k + 1, period), v), w);
+}
+
 }  // namespace
 
 double noise(double x, double y, double z, int period) {
-  const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y)), k = static_cast<int>(std::floor(z));
-  const double u = ease(x - i), v = ease(y - j), w = ease(z - k);                      // [1]
-  const auto row = [&](int dj, int dk) {
-    return blend(lattice(i, j + dj, k + dk, period), lattice(i + 1, j + dj, k + dk, period), u);
-  };
-  return blend(blend(row(0, 0), row(1, 0), v), blend(row(0, 1), row(1, 1), v), w);
+  const int i = floorOf(x);
+  return blend(edge(i, y, z, period), edge(i + 1, y, z, period), ease(x - i));
 }
 
 double fractalNoise(double x, double y, double z, int octaves, int period) {
@@ -36,6 +45,31 @@ double fractalNoise(double x, double y, double z, int octaves, int period) {
   for (int o = 0; o < octaves; ++o) {
     const double scale = static_cast<double>(1 << o);                                  // [1]
     sum += strength * noise(x * scale, y * scale, z * scale + 17.0 * o, period << o);
+    total += strength;
+    strength *= 0.5;
+  }
+  return sum / total;
+}
+
+double NoiseWalk::octave(Cell& cell, double x, double y, double z, int period) const {
+  const int i = floorOf(x);
+  const bool sameRow = cell.known && cell.y == y && cell.z == z;
+  if (!sameRow || cell.i != i) {
+    cell.near = sameRow && i == cell.i + 1 ? cell.far : edge(i, y, z, period);
+    cell.far = edge(i + 1, y, z, period);
+    cell.i = i;
+    cell.y = y;
+    cell.z = z;
+    cell.known = true;
+  }
+  return blend(cell.near, cell.far, ease(x - i));
+}
+
+double NoiseWalk::at(double x, double y, double z) {
+  double sum = 0.0, total = 0.0, strength = 1.0;                                       // [1]
+  for (int o = 0; o < octaves_; ++o) {
+    const double scale = static_cast<double>(1 << o);                                  // [1]
+    sum += strength * octave(cells_[o], x * scale, y * scale, z * scale + 17.0 * o, period_ << o);
     total += strength;
     strength *= 0.5;
   }

@@ -1,254 +1,24 @@
 #include "render/renderer.h"
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-
-#include "render/camera.h"
 #include "render/canvas.h"
 #include "render/context.h"
-#include "render/gpu_mesh.h"
-#include "render/holes.h"
 #include "render/hud_drawing.h"
-#include "render/instruments.h"
-#include "render/operating_field.h"
-#include "render/shaders.h"
-#include "render/shadow_cells.h"
-#include "render/shadow_map.h"
-#include "render/tissue_surface.h"
+#include "render/painting.h"
 
 namespace halsted::render {
-namespace {
-
-constexpr std::size_t kTriangleBudget = 16000;           // tuned: twice as many cost 3 ms a frame and show no finer outline
-constexpr int kShadowSize = 1024;                        // texels
-constexpr float kThreadTint[3] = {0.22f, 0.085f, 0.40f}; // linear [1]; violet, as dyed braided suture is
-
-Program programOf(const char* vertex, const char* fragment) { return makeProgram(shaderHead() + vertex, shaderHead() + fragment); }
-
-FieldPlace placeOf(const RenderScene& scene) {
-  FieldPlace place;
-  if (scene.tissueRest.empty()) return place;
-  Vec3 low = scene.tissueRest.front(), high = low;       // [m]
-  for (const Vec3& p : scene.tissueRest) { low = low.cwiseMin(p); high = high.cwiseMax(p); }
-  place.centre = 0.5 * (low + high);
-  place.centre.z() = low.z() + 0.2 * (high.z() - low.z());
-  place.radius = std::max(0.25 * (high.x() - low.x() + high.y() - low.y()), 5e-3);
-  return place;
-}
-
-}  // namespace
 
 struct Renderer::Parts {
-  int width, height;
   std::unique_ptr<Context> context = createContext();
-  Canvas picture, backdrop;                               // backdrop: the field without shadows, as `backdropView` sees it
-  CameraView backdropView;
-  bool backdropDrawn = false;
-  FieldPlace place;
-  std::unique_ptr<ShadowCells> shadowCells;
-  std::vector<std::array<int, 3>> casters;                // triangles of particles
-  std::vector<CapsuleShape> rodsAsLines;
-  double needleReach;                                     // [m] from the middle of its arc
-  Buffer shadowIndices = makeBuffer();
-  Program field = programOf(kRigidVertex, kFieldFragment), fieldBare = programOf(kRigidVertex, kFieldBareFragment);
-  Program steel = programOf(kRigidVertex, kSteelFragment);
-  Program tissueLook = programOf(kTissueVertex, kTissueFragment), threadLook = programOf(kTubeVertex, kThreadFragment);
-  Program needleLook = programOf(kTubeVertex, kNeedleFragment), holeLook = programOf(kHoleVertex, kHoleFragment);
-  Program rigidDepth = programOf(kRigidVertex, kDepthFragment), instrumentDepth = programOf(kInstrumentDepthVertex, kDepthFragment);
-  Program tubeDepth = programOf(kTubeVertex, kDepthFragment);
-  ShadowMap shadow{kShadowSize};
-  Texture tissueImage, reflection, fieldImage;
-  GpuMesh ground, rods;
-  TissueSurface tissue;
-  Tube threadTube;
-  GpuMesh thread, needle;
-  GpuIndices threadShadow;
-  Holes holes;
-  std::array<Instrument, kHands> instruments;
-  std::array<std::array<GpuMesh, 2>, kHands> instrumentMeshes;
-  std::array<std::array<std::vector<Vec3>, 2>, kHands> instrumentShadows;   // [m]
-  Matrix4 lamp, lampTexture;
-  double lampDepth;                                       // [m] that the shadow map covers
-  double threadRadius;                                    // [m]
-  std::size_t particles, threadNodes;
+  Canvas picture;
+  std::unique_ptr<Painting> painting;
   HudDrawing hud;
+  bool cutaway;                              // as the scene opens
   Frame frame;
 
-  Parts(const RenderScene&, int w, int h);
-  void drawInstruments(const RenderSnapshot&, const Program&) const;
-  void drawShadows(const RenderSnapshot&) const;
-  void drawBackdrop(const CameraView&, const Matrix4& view);
-  void markShadows(const RenderSnapshot&);
-  void drawFieldShadows(const RenderSnapshot&, const CameraView&, const Matrix4& view);
-  void drawWires(const RenderSnapshot&, const CameraView&, const Matrix4& view) const;
-  void drawPicture(const RenderSnapshot&, const CameraView&);
-  void use(const Program&, const Matrix4& view, const CameraView&) const;
-  bool hasTissue(const RenderSnapshot& s) const { return particles > 0 && s.tissue.size() == particles; }
-  bool hasThread(const RenderSnapshot& s) const { return threadNodes >= 2 && s.thread.size() == threadNodes; }
+  Parts(const RenderScene& scene, int width, int height)
+      : picture(width, height), painting(scene.body.layers > 0 ? makeBodyPainting(scene, picture) : makeSuturePainting(scene, picture)),
+        hud(scene, width, height), cutaway(scene.cutaway), frame{width, height, std::vector<std::uint8_t>(4u * width * height)} {}
 };
-
-Renderer::Parts::Parts(const RenderScene& scene, int w, int h)
-    : width(w), height(h), picture(w, h), backdrop(w, h), place(placeOf(scene)), casters(scene.surface), rodsAsLines(scene.rods),
-      needleReach(scene.needle.radius + scene.needle.wireRadius), tissue(scene, kTriangleBudget), threadTube(makeThread(scene.threadNodes)),
-      thread(uploadTube(threadTube)), needle(uploadTube(makeNeedle(scene.needle))),
-      threadShadow(uploadOtherIndices(threadShadowIndices(scene.threadNodes))), holes(scene.maxPunctures),
-      threadRadius(scene.threadRadius), particles(scene.tissueRest.size()),
-      threadNodes(static_cast<std::size_t>(std::max(scene.threadNodes, 0))), hud(scene, w, h) {
-  const OperatingField drapes = makeOperatingField(place, std::clamp(2 * h, 256, 1536));
-  ground = uploadShape(drapes.shape);
-  shadowCells = std::make_unique<ShadowCells>(drapes.shape);
-  glBindBuffer(GL_ARRAY_BUFFER, shadowIndices);          // not as indices yet: that would enter the bound vertex array
-  glBufferData(GL_ARRAY_BUFFER, ground.count * static_cast<GLsizeiptr>(sizeof(std::uint32_t)), nullptr, GL_STREAM_DRAW);
-  fieldImage = uploadImage(drapes.picture, Sampling::kOneLevel);
-  tissueImage = uploadImage(makeTissueImage(512), Sampling::kTiles);
-  reflection = uploadImage(makeReflectionImage(256), Sampling::kNearest);
-  Shape rodShape;
-  for (const CapsuleShape& rod : scene.rods) addRod(rodShape, rod);
-  rods = uploadShape(rodShape);
-  for (int hand = 0; hand < kHands; ++hand) {
-    instruments[hand] = makeInstrument(scene.tools[hand], scene.jaws[hand]);
-    for (int half = 0; half < 2; ++half) {
-      instrumentMeshes[hand][half] = uploadShape(instruments[hand].halves[half]);
-      instrumentShadows[hand][half] = shadowTriangles(instruments[hand].halves[half]);
-    }
-  }
-  const Vec3 middle = 0.5 * (place.centre + Vec3(place.centre.x(), place.centre.y(), 0.0));   // [m] between skin and rim
-  const double lampRadius = std::max(0.085, 4.0 * place.radius);   // [m]
-  lampDepth = 4.0 * lampRadius;
-  lamp = lampProjection(middle, lampRadius);
-  lampTexture = toTexture(lamp);
-  frame = {width, height, std::vector<std::uint8_t>(4u * width * height)};
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);                                 // shadows are drawn over the backdrop at the same depth
-  glEnable(GL_CULL_FACE);
-}
-
-void Renderer::Parts::drawInstruments(const RenderSnapshot& snapshot, const Program& program) const {
-  for (int hand = 0; hand < kHands; ++hand)
-    for (int half = 0; half < 2; ++half) {
-      const ToolView& tool = snapshot.tools[hand];
-      const Matrix4 stand = matrixOf(halfPose(instruments[hand], half, tool.jaw, tool.pose));
-      glUniformMatrix4fv(program.model, 1, GL_FALSE, stand.data());
-      instrumentMeshes[hand][half].draw();
-    }
-}
-
-void Renderer::Parts::use(const Program& program, const Matrix4& view, const CameraView& camera) const {
-  glUseProgram(program.id);
-  const Eigen::Vector3f eye = camera.eye.cast<float>();
-  const Matrix4 still = Matrix4::Identity();
-  glUniformMatrix4fv(program.model, 1, GL_FALSE, still.data());
-  glUniformMatrix4fv(program.viewProjection, 1, GL_FALSE, view.data());
-  glUniformMatrix4fv(program.shadowMatrix, 1, GL_FALSE, lampTexture.data());
-  glUniform3fv(program.eye, 1, eye.data());
-  glUniform3fv(program.tint, 1, kThreadTint);
-  glUniform1f(program.pixelSize, static_cast<float>(pixelSize(camera, height)));
-}
-
-void Renderer::Parts::drawShadows(const RenderSnapshot& snapshot) const {
-  CameraView none;
-  shadow.begin();
-  use(rigidDepth, lamp, none);
-  if (hasTissue(snapshot)) {
-    shadow.setBack(0.35e-3 / lampDepth);                              // [m] the drawn wall is that much finer than what casts its shadow
-    tissue.drawCoarse();
-    shadow.setBack(0.0);
-  }
-  rods.draw();
-  use(instrumentDepth, lamp, none);
-  drawInstruments(snapshot, instrumentDepth);
-  use(tubeDepth, lamp, none);
-  glUniform1f(tubeDepth.pixelSize, 0.0f);
-  if (hasThread(snapshot)) thread.drawAs(threadShadow);
-  glUniformMatrix4fv(tubeDepth.model, 1, GL_FALSE, matrixOf(snapshot.needle).data());
-  needle.draw();
-  shadow.end();
-}
-
-namespace {
-void bindTexture(TextureUnit unit, const Texture& texture) {
-  glActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(GL_TEXTURE_2D, texture);
-}
-bool sameView(const CameraView& a, const CameraView& b) {
-  return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fovDegrees == b.fovDegrees;
-}
-}  // namespace
-
-/// Only when the eye has moved: the field fills the frame, and shading it afresh would take half of the frame's time.
-void Renderer::Parts::drawBackdrop(const CameraView& camera, const Matrix4& view) {
-  if (backdropDrawn && sameView(camera, backdropView)) return;
-  backdrop.bind();
-  glClearColor(0.02f, 0.01f, 0.01f, 1.0f);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  bindTexture(kSurfaceUnit, fieldImage);
-  use(fieldBare, view, camera);
-  ground.draw();
-  backdropView = camera;
-  backdropDrawn = true;
-}
-
-void Renderer::Parts::markShadows(const RenderSnapshot& snapshot) {
-  shadowCells->clear();
-  if (hasTissue(snapshot))
-    for (const auto& t : casters) shadowCells->add(snapshot.tissue[t[0]], snapshot.tissue[t[1]], snapshot.tissue[t[2]]);
-  if (hasThread(snapshot))
-    for (std::size_t i = 1; i < threadNodes; ++i) shadowCells->add(snapshot.thread[i - 1], snapshot.thread[i], snapshot.thread[i]);
-  shadowCells->add(snapshot.needle.position, needleReach);
-  for (const CapsuleShape& rod : rodsAsLines)
-    for (double t = 0.0; t <= 1.0; t += 0.05) shadowCells->add(rod.a + t * (rod.b - rod.a), 1.5 * rod.radius);
-  for (int hand = 0; hand < kHands; ++hand)
-    for (int half = 0; half < 2; ++half) {
-      const Matrix4 stand = matrixOf(halfPose(instruments[hand], half, snapshot.tools[hand].jaw, snapshot.tools[hand].pose));
-      shadowCells->add(instrumentShadows[hand][half], stand.cast<double>());
-    }
-}
-
-void Renderer::Parts::drawFieldShadows(const RenderSnapshot& snapshot, const CameraView& camera, const Matrix4& view) {
-  markShadows(snapshot);
-  use(field, view, camera);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_DST_COLOR, GL_ZERO);
-  ground.drawOnly(shadowCells->indices(), shadowIndices);
-  glDisable(GL_BLEND);
-}
-
-/// Wires fade over their last half pixel, which stands in for multisampling; they need what is behind them.
-void Renderer::Parts::drawWires(const RenderSnapshot& snapshot, const CameraView& camera, const Matrix4& view) const {
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  use(holeLook, view, camera);
-  glDepthMask(GL_FALSE);
-  holes.draw();
-  glDepthMask(GL_TRUE);
-  use(needleLook, view, camera);
-  glUniformMatrix4fv(needleLook.model, 1, GL_FALSE, matrixOf(snapshot.needle).data());
-  needle.draw();
-  use(threadLook, view, camera);
-  if (hasThread(snapshot)) thread.draw();
-  glDisable(GL_BLEND);
-}
-
-void Renderer::Parts::drawPicture(const RenderSnapshot& snapshot, const CameraView& camera) {
-  const Matrix4 view = viewProjection(camera, static_cast<double>(width) / height);
-  bindTexture(kReflectionUnit, reflection);
-  drawBackdrop(camera, view);
- picture.copyFrom(backdrop);
-  picture.bind();
-
-  // Near things first: what they hide is not shaded.
-  use(steel, view, camera);
-  rods.draw();
-  drawInstruments(snapshot, steel);
- bindTexture(kSurfaceUnit, tissueImage);
-  use(tissueLook, view, camera);
-  const double open = std::sqrt(std::clamp(snapshot.openingArea / std::max(tissue.openingAtRest(), 1e-9), 0.0, 1.0));   // [1]
-  glUniform1f(tissueLook.open, static_cast<float>(open));
-  if (hasTissue(snapshot)) tissue.draw();
- drawFieldShadows(snapshot, camera, view);
-  drawWires(snapshot, camera, view);
-}
 
 Renderer::Renderer(const RenderScene& scene, int width, int height) : parts_(std::make_unique<Parts>(scene, width, height)) {}
 Renderer::~Renderer() { parts_->context->makeCurrent(); }
@@ -256,15 +26,8 @@ Renderer::~Renderer() { parts_->context->makeCurrent(); }
 const Frame& Renderer::draw(const RenderSnapshot& snapshot, const HudInput& hud, const CameraView& camera) {
   Parts& p = *parts_;
   p.context->makeCurrent();
-  if (p.hasTissue(snapshot)) p.tissue.update(snapshot.tissue);
-  if (p.hasThread(snapshot)) {
-    updateThread(snapshot.thread, snapshot.twist, p.threadRadius, p.threadTube);
-    p.thread.stream(p.threadTube.vertices.data(), p.threadTube.vertices.size() * sizeof(TubeVertex));
-  }
-  p.holes.update(snapshot.punctures, snapshot.punctureCount, camera.eye, camera.up);
- p.drawShadows(snapshot);
-  p.drawPicture(snapshot, camera);
-  if (hud.visible) p.hud.draw(snapshot, hud);
+  p.painting->draw(snapshot, camera, p.cutaway != hud.otherView);
+  if (hud.visible) p.hud.draw(snapshot, hud, camera);
   p.picture.read(p.frame);
   return p.frame;
 }

@@ -97,13 +97,14 @@ Vec3 theatre(const Vec3& d) {                                                   
 
 Image makeTissueImage(int size) {
   Field vessels = makeVessels(size);
+  NoiseWalk mottles(5, 8), grains(3, 24), folds(3, 8), films(3, 16);
   return fill(size, [&](int x, int y) -> std::array<double, 4> {
     const double u = 8.0 * x / size, v = 8.0 * y / size;                               // [1]
-    const double mottle = fractalNoise(u, v, 0.0, 5, 8);                               // [1]
-    const double cells = fractalNoise(3 * u, 3 * v, 9.0, 3, 24);                       // [1]
-    const double fold = bulge(fractalNoise(u, v, 4.0, 3, 8) * 3.0);                    // [1]
+    const double mottle = mottles.at(u, v, 0.0);                               // [1]
+    const double cells = grains.at(3 * u, 3 * v, 9.0);                       // [1]
+    const double fold = bulge(folds.at(u, v, 4.0) * 3.0);                    // [1]
     const double bump = 0.45 * cells + 0.35 * fold + 0.2 * vessels.at(x, y);           // [1]
-    return {smoothStep(0.25, 0.75, mottle), vessels.at(x, y), bump, fractalNoise(2 * u, 2 * v, 2.0, 3, 16)};
+    return {smoothStep(0.25, 0.75, mottle), vessels.at(x, y), bump, films.at(2 * u, 2 * v, 2.0)};
   });
 }
 

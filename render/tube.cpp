@@ -10,6 +10,18 @@ namespace {
 constexpr int kPerSegment = 3;               // drawn pieces between two nodes
 constexpr double kTurn = 2.0 * std::numbers::pi;   // [rad]
 
+Vec3 anyAcross(const Vec3& direction) {
+  const Vec3 other = std::abs(direction.y()) < 0.9 ? Vec3::UnitY() : Vec3::UnitX();
+  return direction.cross(other).normalized();
+}
+
+/// Catmull and Rom 1974, uniform, tension one half: passes through p1 at t = 0 and p2 at t = 1.
+Vec3 spline(const Vec3& p0, const Vec3& p1, const Vec3& p2, const Vec3& p3, double t) {   // [m], t [1]
+  return 0.5 * (2.0 * p1 + t * ((p2 - p0) + t * ((2.0 * p0 - 5.0 * p1 + 4.0 * p2 - p3) + t * (3.0 * (p1 - p2) + p3 - p0))));
+}
+
+}  // namespace
+
 void makeIndices(int rings, Tube& tube) {
   constexpr int kRow = Tube::kSides + 1;
   tube.vertices.resize(static_cast<std::size_t>(rings) * kRow);
@@ -19,11 +31,6 @@ void makeIndices(int rings, Tube& tube) {
       tube.indices.insert(tube.indices.end(), {at(0, 0), at(0, 1), at(1, 1), at(0, 0), at(1, 1), at(1, 0)});
     }
 }
-
-struct RingFrame {
-  Vec3 centre, first, second;                // [m], [1] two unit directions across the wire
-  double radius = 0.0, along = 0.0, twist = 0.0;   // [m], [m], [rad]
-};
 
 void writeRing(const RingFrame& ring, int index, Tube& tube) {
   constexpr int kRow = Tube::kSides + 1;
@@ -41,18 +48,6 @@ void writeRing(const RingFrame& ring, int index, Tube& tube) {
     v.turn = static_cast<float>(turn);
   }
 }
-
-Vec3 anyAcross(const Vec3& direction) {
-  const Vec3 other = std::abs(direction.y()) < 0.9 ? Vec3::UnitY() : Vec3::UnitX();
-  return direction.cross(other).normalized();
-}
-
-/// Catmull and Rom 1974, uniform, tension one half: passes through p1 at t = 0 and p2 at t = 1.
-Vec3 spline(const Vec3& p0, const Vec3& p1, const Vec3& p2, const Vec3& p3, double t) {   // [m], t [1]
-  return 0.5 * (2.0 * p1 + t * ((p2 - p0) + t * ((2.0 * p0 - 5.0 * p1 + 4.0 * p2 - p3) + t * (3.0 * (p1 - p2) + p3 - p0))));
-}
-
-}  // namespace
 
 Tube makeThread(int nodes) {
   Tube tube;

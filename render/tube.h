@@ -18,6 +18,13 @@ struct Tube {
   std::vector<std::uint32_t> indices;
 };
 
+struct RingFrame {
+  Vec3 centre, first, second;                // [m], [1] two unit directions across the wire
+  double radius = 0.0, along = 0.0, twist = 0.0;   // [m], [m], [rad]
+};
+void makeIndices(int rings, Tube&);
+void writeRing(const RingFrame&, int ring, Tube&);
+
 /// Room and indices for a thread of that many nodes; `updateThread` fills the vertices and never allocates.
 Tube makeThread(int nodes);
 /// Catmull-Rom through `nodes`, frames transported without spin (Bishop 1975) and turned by `twist` [rad].

@@ -1,4 +1,5 @@
 /// buildAnatomy: procedural, or from a surface file.
+#include "scenes/acupuncture/body.h"
 #include "scenes/input_text.h"
 #include "scenes/mesh_readers/surface.h"
 #include "scenes/procedural_colon.h"
@@ -8,7 +9,9 @@
 
 namespace halsted::scenes {
 
-TetMesh buildAnatomy(const SceneFile& scene) {
+namespace {
+
+TetMesh buildWall(const SceneFile& scene) {
   const AnatomyParams& anatomy = scene.params.anatomy;
   const bool real = !anatomy.mesh.empty();
   const Surface surface = real ? readSurface(anatomy.mesh, anatomy.scale) : Surface{};
@@ -19,6 +22,22 @@ TetMesh buildAnatomy(const SceneFile& scene) {
   } catch (const InputError& error) {
     throw InputError((real ? quoted(anatomy.mesh) : quoted(scene.folder) + "/scene.toml") + ": anatomy: " + error.what());
   }
+}
+
+}  // namespace
+
+std::string placeOf(const SceneFile& scene, const std::string& key) {
+  const auto found = scene.origins.find(key);
+  return found != scene.origins.end() ? found->second : quoted(scene.folder) + "/scene.toml: " + key;
+}
+
+Anatomy buildAnatomy(const SceneFile& scene) {
+  Anatomy anatomy;
+  switch (scene.params.model) {
+    case ModelKind::kSuture: anatomy.mesh = buildWall(scene); break;
+    case ModelKind::kNeedling: anatomy.body = buildBody(scene); break;
+  }
+  return anatomy;
 }
 
 }  // namespace halsted::scenes

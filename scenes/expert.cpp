@@ -1,6 +1,8 @@
 #include "scenes/expert.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "scenes/knot_plan.h"
 #include "scenes/scene.h"
@@ -17,7 +19,7 @@ struct NumberKey {
   double min, max, unit;                       // as written in the file; `unit` turns it into SI [1]
 };
 
-constexpr NumberKey kNumbers[] = {
+constexpr NumberKey kSutureNumbers[] = {
     {"angle_deg", &ExpertAction::angleDegrees, -360.0, 360.0, 1.0}, {"depth_mm", &ExpertAction::depth, 1.0, 15.0, 1e-3},
     {"exit_depth_mm", &ExpertAction::exitDepth, 1.0, 15.0, 1e-3},   {"sink_mm", &ExpertAction::sink, -1.0, 4.0, 1e-3},
     {"tilt_deg", &ExpertAction::tilt, -45.0, 45.0, 1.0},
@@ -25,14 +27,22 @@ constexpr NumberKey kNumbers[] = {
     {"tension_n", &ExpertAction::tension, 0.05, 20.0, 1.0},         {"limit_s", &ExpertAction::seconds, 0.01, 600.0, 1.0},
     {"long_end_mm", &ExpertAction::longEnd, 30.0, 120.0, 1e-3},
 };
+constexpr NumberKey kNeedleNumbers[] = {
+    {"angle_deg", &ExpertAction::angleDegrees, 5.0, 90.0, 1.0},     {"depth_mm", &ExpertAction::depth, 0.5, 100.0, 1e-3},
+    {"twirl_deg", &ExpertAction::twirlDegrees, 10.0, 720.0, 1.0},   {"lift_mm", &ExpertAction::lift, 0.5, 50.0, 1e-3},
+    {"period_s", &ExpertAction::period, 0.2, 20.0, 1.0},            {"speed_mm_s", &ExpertAction::speed, 0.1, 200.0, 1e-3},
+    {"distance_mm", &ExpertAction::distance, 1.0, 60.0, 1e-3},      {"limit_s", &ExpertAction::seconds, 0.01, 600.0, 1.0},
+};
+constexpr const char* kSutureKinds[] = {"bite", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go", "hold"};
+constexpr const char* kNeedleKinds[] = {"find", "press", "insert", "twirl", "lift_thrust", "withdraw"};
 
-bool isKind(const std::string& text) {
-  if (text == "cut" || text == "take_stay" || text == "traction") return true;
-  return text == "bite" || text == "take_tails" || text == "tighten" || text == "tie" || text == "let_go" || text == "hold";
+bool isOneOf(std::span<const char* const> kinds, const std::string& text) {
+  return std::any_of(kinds.begin(), kinds.end(), [&](const char* kind) { return text == kind; });
 }
 
 void readNumber(const toml::node& node, const std::string& where, const std::string& key, ExpertAction& action) {
-  for (const NumberKey& n : kNumbers) {
+  const bool needle = isOneOf(kNeedleKinds, action.kind);
+  for (const NumberKey& n : needle ? std::span<const NumberKey>(kNeedleNumbers) : std::span<const NumberKey>(kSutureNumbers)) {
     if (key != n.key) continue;
     const double value = requireNumber(node, where);
     if (!(value >= n.min && value <= n.max)) throw InputError(where + ": must be " + plainNumber(n.min) + " to " + plainNumber(n.max));
@@ -48,33 +58,57 @@ int readBowel(const toml::node& node, const std::string& where) {
   return number == 1.0 ? 0 : 1;
 }
 
+bool readTruth(const toml::node& node, const std::string& where) {
+  if (!node.is_boolean()) throw InputError(where + ": must be true or false");
+  return *node.value<bool>();
+}
+
+std::string readKind(const toml::table& table, const std::string& origin) {
+  const toml::node* node = table.get("do");
+  if (!node) throw InputError(whereIs(origin, table, "action") + ": has no do");
+  const std::string where = whereIs(origin, *node, "action.do"), kind = requireText(*node, where);
+  if (isOneOf(kSutureKinds, kind) || isOneOf(kNeedleKinds, kind)) return kind;
+  throw InputError(where + ": '" + quoted(kind) + "' is not one of bite, take_tails, tighten, tie, cut, take_stay, traction, let_go, hold, find, press, insert, twirl, lift_thrust, withdraw");
+}
+
+int readCycles(const toml::node& node, const std::string& where) {
+  constexpr std::int64_t kMost = 1000;
+  if (!node.is_integer()) throw InputError(where + ": must be an integer, is " + kindOf(node));
+  const std::int64_t value = *node.value<std::int64_t>();
+  if (value < 1 || value > kMost) throw InputError(where + ": must be 1 to 1000");
+  return static_cast<int>(value);
+}
+
+std::string readTie(const toml::node& node, const std::string& where) {
+  const std::string text = requireText(node, where);
+  if (parseThrows(text).empty())
+    throw InputError(where + ": '" + quoted(text) + "' is not a knot: turns 1 to 3 joined by = or x, such as 1=1 or 2=1=1");
+  return text;
+}
+
 ExpertAction readAction(const toml::table& table, const std::string& origin) {
   ExpertAction action;
   action.line = static_cast<int>(table.source().begin.line);
+  action.kind = readKind(table, origin);
+  const bool needle = isOneOf(kNeedleKinds, action.kind);
+  if (needle) action.depth = 0.0;              // the textbook's
   for (const auto& [part, node] : table) {
     const std::string key(part.str()), where = whereIs(origin, node, "action." + key);
-    if (key == "bowel") { action.bowel = readBowel(node, where); continue; }
-    if (key == "counter_clockwise") {
-      if (!node.is_boolean()) throw InputError(where + ": must be true or false");
-      action.counterClockwise = *node.value<bool>();
-      continue;
-    }
-    if (key == "tie") {
-      action.tie = requireText(node, where);
-      if (parseThrows(action.tie).empty())
-        throw InputError(where + ": '" + quoted(action.tie) + "' is not a knot: turns 1 to 3 joined by = or x, such as 1=1 or 2=1=1");
-      continue;
-    }
-    if (key != "do") { readNumber(node, where, key, action); continue; }
-    action.kind = requireText(node, where);
-    if (!isKind(action.kind)) throw InputError(where + ": '" + quoted(action.kind) + "' is not one of bite, take_tails, tighten, tie, cut, take_stay, traction, let_go, hold");
+    if (key == "do") continue;
+    if (needle && key == "point") action.point = requireText(node, where);
+    else if (needle && key == "cycles") action.cycles = readCycles(node, where);
+    else if (!needle && key == "bowel") action.bowel = readBowel(node, where);
+    else if (!needle && key == "counter_clockwise") action.counterClockwise = readTruth(node, where);
+    else if (!needle && key == "tie") action.tie = readTie(node, where);
+    else readNumber(node, where, key, action);
   }
   if (action.kind == "tie" && action.tie.empty()) throw InputError(whereIs(origin, table, "action") + ": do = \"tie\" has no tie = \"1=1\"");
-  if (action.kind.empty()) throw InputError(whereIs(origin, table, "action") + ": has no do");
   return action;
 }
 
 }  // namespace
+
+bool isSutureAction(const std::string& kind) { return isOneOf(kSutureKinds, kind); }
 
 ExpertScript readExpert(const std::string& path) { return parseExpert(readTextFile(path, kMaxScriptBytes), path); }
 

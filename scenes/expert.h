@@ -1,5 +1,5 @@
 #pragma once
-/// A scripted surgeon. It reads `expert.toml` (anatomical terms: bite at an angle, depth, hand over, pull, tighten), looks at the
+/// A scripted surgeon. It reads `expert.toml` (anatomical terms: bite at an angle, depth; find a point, insert, twirl), looks at the
 /// simulated scene as a person would, and says where each hand wants to be. It never touches the physics: the targets move the
 /// simulated hands that hold the virtual devices. Pure: same script, model, state and memory give the same targets.
 /// Runs on the physics thread, after each step.
@@ -14,10 +14,13 @@
 namespace halsted::scenes {
 
 struct ExpertAction {
-  std::string kind;                            // "bite", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go", "hold": see scenes/expert_run.cpp
-  double angleDegrees = 0.0;                   // angle_deg [deg] round the opening, 0 at +x, counter-clockwise seen by the surgeon
+  std::string kind;                            // a suture's: "bite", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go",
+                                               // "hold": see scenes/expert_run.cpp
+                                               // a needle's: "find", "press", "insert", "twirl", "lift_thrust", "withdraw", "hold"
+  double angleDegrees = 0.0;                   // angle_deg [deg] round the opening, 0 at +x, counter-clockwise seen by the surgeon; of a needle
+                                               // to the skin, 0: as the point's textbook says
   int bowel = 0;                               // bowel: 1 or 2 in the file, the left and the right one of two ends
-  double depth = 5e-3;                         // depth_mm [m] entry from the rim
+  double depth = 5e-3;                         // depth_mm [m] entry from the rim; of a needle's tip, 0: the textbook's; of a pressing finger
   double exitDepth = 0.0;                      // exit_depth_mm [m] a bite across the edge comes out here, at the same angle; 0: along the rim
   bool counterClockwise = false;               // counter_clockwise: the bite runs the other way along the rim
   double sink = 0.0;                           // sink_mm [m] deeper than the places ask: through the mucosa and back
@@ -27,7 +30,14 @@ struct ExpertAction {
   double tension = 1.0;                        // tension_n [N] at which tightening stops
   double seconds = 60.0;                       // limit_s [s] of the action; of a hold, its length
   std::string tie;                             // tie: throws as surgeons write them, "1=1", "2=1=1", "1x1"
-  double longEnd = 0.055;                      // long_end_mm [m] of thread between the stitch and the hand that winds it
+  double longEnd = 0.050;                      // long_end_mm [m] of thread between the stitch and the hand that winds it
+  std::string point;                           // point: an acupoint's id; empty: the one the scene is set for
+  int cycles = 1;                              // cycles [1] twirls or lifts
+  double twirlDegrees = 150.0;                 // twirl_deg [deg] from end to end
+  double lift = 5e-3;                          // lift_mm [m] up from the depth and down again
+  double period = 1.0;                         // period_s [s] of a twirl or lift
+  double speed = 5e-3;                         // speed_mm_s [m/s] in or out
+  double distance = 25e-3;                     // distance_mm [m] of the pressing finger from the point
   int line = 0;                                // in the file, for messages
 };
 
@@ -40,6 +50,9 @@ struct ExpertScript {
 /// Throws InputError (scenes/scene.h) naming file, line and key, also for an impossible bite.
 ExpertScript readExpert(const std::string& path);
 ExpertScript parseExpert(const std::string& text, const std::string& origin);
+
+/// Is it an action on tissue and thread? Needles have their own; "hold" is both.
+bool isSutureAction(const std::string& kind);
 
 /// The surgeon's memory: which action and phase, since when, what was seen at its start.
 struct ExpertState;

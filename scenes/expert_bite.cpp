@@ -2,6 +2,7 @@
 
 #include "scenes/expert_state.h"
 #include "scenes/portable_math.h"
+#include "sim/suture/holes.h"
 
 namespace halsted::scenes {
 namespace {
@@ -11,8 +12,10 @@ constexpr double kForcepsFromTip = 2.5e-3;     // [m] of arc behind the tip: whe
 constexpr double kLeadIn = 0.6, kLeadOut = 0.9, kLeadOutMost = 1.35;   // [rad] tip before the entry; past the exit
 constexpr double kClear = 0.02;                // [m] needle held off the wall
 constexpr double kSweepSpeed = 0.012;          // [m/s] along the arc
-constexpr double kDip = 0.6e-3, kDeeper = 0.8e-3;              // [m] below the places, and more for every new attempt
+constexpr double kDip = 0.6e-3;                // [m] below the places
+constexpr double kDeeper = 0.8e-3, kShallower = 0.5e-3;        // [m] after a needle that slid along the wall; that came out on its inside
 constexpr int kAttempts = 4;
+constexpr double kPerforated = 0.5;            // [1] of the planned width: out again so soon, the needle has gone straight through
 constexpr double kPressAngle = 0.2;            // [rad] past the planned entry: still not through, the surgeon presses instead of turning
 constexpr double kPressSpeed = 0.012, kPressMost = 0.010;      // [m/s] [m] along the needle's point
 constexpr double kDrawSpeed = 0.02;            // [m/s] needle out along the arc
@@ -26,6 +29,7 @@ enum Phase {
   kShow, kTakeOver, kTakeOverDown, kTakeOverClose, kLeave,       // needle from forceps to driver
   kHold, kHoldDown, kHoldClose,                                  // forceps hold the rim
   kNear, kTouch, kDrive,                                         // driver brings the needle through
+  kWithdraw,                                                     // through the wall: back the way it came
   kBackOff,                                                      // a miss: needle away from the wall, then near again
   kLetRim, kTakeTip, kTakeTipDown, kTakeTipClose, kDriverLeaves, // forceps take the tip
   kDraw, kPull                                                   // needle out, thread after it
@@ -75,11 +79,41 @@ bool tipInWall(const State& s) {
   return s.strand.holeCount > 0 && s.strand.holes[s.strand.holeCount - 1].role == static_cast<int>(HoleRole::kTip);
 }
 
+/// The needle is off the wall again: once more, lower or higher, or this surgeon cannot do it.
+void again(const Scene& s, double lower, std::string& failure) {   // [m]
+  ExpertState& e = s.memory;
+  if (entered(s.state, e.bite) || ++e.attempt >= kAttempts) {
+    failure = "the needle did not come out of the wall";
+    return;
+  }
+  e.dip += lower;
+  e.pressed = 0.0;
+  goTo(s, kBackOff);
+}
+
+/// Has the tip come out so near to where it went in that it is through the wall, in the lumen?
+bool perforated(const Scene& s) {
+  const Hole* exit = exitHole(s.state, s.memory.bite);
+  if (exit == nullptr || exit == s.state.strand.holes.data()) return false;
+  const std::span<const Vec3> rest = s.model.mesh.vertices;
+  return (holePoint(s.model, *exit, rest) - holePoint(s.model, *(exit - 1), rest)).norm() < kPerforated * s.action.width;
+}
+
+/// Back along the arc until the wall is free of the needle, then a new bite, shallower.
+void withdraw(const Scene& s, std::string& failure) {
+  ExpertState& e = s.memory;
+  e.tipAngle = std::fmax(e.tipAngle - kSweepSpeed / s.model.strand.needle.radius * s.dt, e.plan.entryAngle - kLeadIn);
+  const bool back = moveHand(s, kRight, toolFor(s, kRight, onPressedCircle(s)), 0.05) && e.tipAngle <= e.plan.entryAngle - kLeadIn;
+  if (!back) return;
+  if (!entered(s.state, e.bite)) e.bite = s.state.strand.bitesBegun;
+  again(s, -kShallower, failure);
+}
+
 /// The needle, if the left hand has it, is shown to the driver and changes hands.
 void exchange(const Scene& s) {
   ExpertState& e = s.memory;
   if (e.phase == kShow) {
-    planCircle(s.model, s.state, s.action, kDip + e.attempt * kDeeper, e.plan);
+    planCircle(s.model, s.state, s.action, e.dip, e.plan);
     e.tipAngle = e.plan.entryAngle - kLeadIn;
     if (s.state.tools[kRight].holdsNeedle) return goTo(s, kHold);
     const double away = 1.0 + 0.5 * (e.misses % 4);              // [1] missed where something is in the way: shown farther out
@@ -116,24 +150,15 @@ void hold(const Scene& s) {
   if (pickUp(s, kLeft, counterGrip(s), kHold)) nextPhase(s);
 }
 
-/// The needle only slid along the wall: back off and come again, deeper.
-void missed(const Scene& s, std::string& failure) {
-  ExpertState& e = s.memory;
-  if (entered(s.state, e.bite) || ++e.attempt >= kAttempts) {
-    failure = "the needle did not come out of the wall";
-    return;
-  }
-  e.pressed = 0.0;
-  goTo(s, kBackOff);
-}
-
 /// To the wall, and round along the arc until the tip has come out far enough to be taken.
 void drive(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   if (e.phase == kNear) {
-    planCircle(s.model, s.state, s.action, kDip + e.attempt * kDeeper, e.plan);
+    planCircle(s.model, s.state, s.action, e.dip, e.plan);
     e.tipAngle = e.plan.entryAngle - kLeadIn;
     if (moveHand(s, kRight, toolFor(s, kRight, onCircle(s, kClear * e.plan.out)), 0.10) && s.inPhase > 0.3) nextPhase(s);
+  } else if (e.phase == kWithdraw) {
+    withdraw(s, failure);
   } else if (e.phase == kBackOff) {
     if (moveHand(s, kRight, toolFor(s, kRight, onCircle(s, kClear * e.plan.out)), 0.06)) goTo(s, kNear);
   } else if (e.phase == kTouch) {
@@ -143,8 +168,9 @@ void drive(const Scene& s, std::string& failure) {
     const double most = e.plan.exitAngle + (out ? kLeadOut : kLeadOutMost);
     turnOrPress(s, most);
     moveHand(s, kRight, toolFor(s, kRight, onPressedCircle(s)), 0.05);
-    if (out && e.tipAngle >= most) { e.goal[kLeft] = above(e.hand[kLeft].command, 0.02); goTo(s, kLetRim); }
-    else if (!out && e.tipAngle >= most && s.inPhase > 3.0) missed(s, failure);
+    if (perforated(s)) goTo(s, kWithdraw);
+    else if (out && e.tipAngle >= most) { e.goal[kLeft] = above(e.hand[kLeft].command, 0.02); goTo(s, kLetRim); }
+    else if (!out && e.tipAngle >= most && s.inPhase > 3.0) again(s, kDeeper, failure);
   }
 }
 
@@ -207,6 +233,7 @@ bool runBite(const Scene& s, std::string& failure) {
     e.bite = s.state.strand.bitesBegun;
     e.pressed = 0.0;
     e.attempt = e.misses = 0;
+    e.dip = kDip;
     e.planned = true;
   }
   const int phase = e.phase;

@@ -17,7 +17,8 @@ bool runAction(const Scene& scene, std::string& failure) {
   if (scene.action.kind == "tighten") return runTighten(scene, failure);
   if (scene.action.kind == "tie") return runTie(scene, failure);
   if (scene.action.kind == "let_go") return runLetGo(scene);
-  return scene.inPhase >= scene.action.seconds;                  // hold
+  if (scene.action.kind == "hold") return scene.inPhase >= scene.action.seconds;
+  return runNeedling(scene, failure);
 }
 
 void begin(const State& state, ExpertState& e) {
@@ -37,12 +38,24 @@ void nextAction(const State& state, ExpertState& e) {
   e.actionStart = e.phaseStart = state.step;
 }
 
+/// Is this an action of the scene's kind, on a point that it has?
+void checkTechnique(const ExpertAction& a, const Model& model) {
+  const std::string where = "line " + std::to_string(a.line) + ": action.";
+  if (a.kind != "hold" && isSutureAction(a.kind) == model.body.has_value())
+    throw InputError(where + "do: '" + a.kind + "' is not done in a scene of this kind");
+  if (a.point.empty()) return;
+  for (const Acupoint& point : model.body->points)
+    if (point.id == a.point) return;
+  throw InputError(where + "point: this body has no point '" + a.point + "'");
+}
+
 }  // namespace
 
 void ExpertStateDeleter::operator()(ExpertState* e) const { delete e; }
 
 ExpertStatePtr beginExpert(const ExpertScript& script, const Model& model) {
   for (const ExpertAction& a : script.actions) {
+    checkTechnique(a, model);
     BitePlan plan;
     if (a.kind == "bite" && !planPlaces(model, a, plan)) {
       throw InputError("line " + std::to_string(a.line) + ": action.do: impossible bite: the wall has no place at that angle and depth, "
@@ -54,7 +67,10 @@ ExpertStatePtr beginExpert(const ExpertScript& script, const Model& model) {
 
 Pose parked(int hand) { return {Vec3(hand == kLeft ? -0.06 : 0.06, 0.02, 0.055), Quat::Identity()}; }
 
-std::array<Pose, kHands> startPoses(const Model&) { return {parked(kLeft), parked(kRight)}; }
+std::array<Pose, kHands> startPoses(const Model& m) {
+  if (m.body) return needlingStart(*m.body);
+  return {parked(kLeft), parked(kRight)};
+}
 
 void nextPhase(const Scene& scene) {
   ++scene.memory.phase;

@@ -7,6 +7,15 @@
 
 namespace halsted::scenes {
 
+/// Where the needle goes in and how far, as commanded.
+struct NeedlePlan {
+  int point = -1;                              // of the body's acupoints
+  Vec3 entry = Vec3::Zero(), axis = Vec3::UnitZ();   // [m], [1] inward
+  Quat orientation = Quat::Identity();         // of the tool, not twirled
+  double depth = 0.0;                          // [m] of the tip past `entry`
+  double twist = 0.0;                          // [rad]
+};
+
 struct ExpertState {
   std::size_t action = 0;
   int phase = 0;
@@ -19,6 +28,7 @@ struct ExpertState {
   TissuePlace counter;                         // where the other hand holds the wall
   double tipAngle = 0.0;                       // [rad] commanded on the plan's circle
   int attempt = 0;                             // at the bite under way
+  double dip = 0.0;                            // [m] its circle below the places
   int misses = 0;                              // of the needle by the driver, in this bite
   double pressed = 0.0;                        // [m] how far the needle was pushed along its point to get in
   Vec3 pressAlong = Vec3::UnitX();             // [1]
@@ -31,6 +41,7 @@ struct ExpertState {
   double settled = 0.0;                        // [s] since the tails stopped coming
   std::array<Pose, kHands> goal;               // of the phase under way
   KnotPlan knot;
+  NeedlePlan needle;
 };
 
 /// What a phase may look at, and its clock.
@@ -53,6 +64,10 @@ bool runTraction(const Scene&, std::string& failure);
 bool runTie(const Scene&, std::string& failure);
 /// Both hands let go and rise.
 bool runLetGo(const Scene&);
+/// Every action of a needle. Returns true when it is finished.
+bool runNeedling(const Scene&, std::string& failure);
+/// Where both tools of a needling scene start.
+std::array<Pose, kHands> needlingStart(const BodyModel&);
 
 void nextPhase(const Scene&);
 

@@ -35,7 +35,7 @@ bool runCut(const Scene& s, std::string& failure) {
     if (s.inPhase < 1.5 * s.dt) e.goal[kRight] = above(driver.command, 0.03);
     driver.jaw = s.inPhase < 0.2 ? 0.0 : 1.0;
     if (s.inPhase < 0.5 || !moveHand(s, kRight, e.goal[kRight], 0.08)) return false;
-    e.cutsBefore = s.state.metrics.threadCuts;
+    e.cutsBefore = s.state.knot.cuts;
     e.place = cutPlace(s);
     nextPhase(s);
   } else if (e.phase <= 3) {
@@ -47,7 +47,7 @@ bool runCut(const Scene& s, std::string& failure) {
   } else {
     driver.jaw = 1.0;
     if (s.inPhase < 0.3 || !moveHand(s, kRight, e.goal[kRight], 0.08)) return false;
-    if (s.state.metrics.threadCuts > e.cutsBefore) return true;
+    if (s.state.knot.cuts > e.cutsBefore) return true;
     if (++e.attempt >= kAttempts) { failure = "the thread was not between the blades"; return false; }
     e.phase = 1;
     e.phaseStart = s.state.step;

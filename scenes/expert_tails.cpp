@@ -68,7 +68,7 @@ bool takeThread(const Scene& s, int hand, int first, double (*think)(const Scene
 
 /// How open it still is: the opening of one end, or the gap between the walls of two.  [1]
 double opening(const State& s, const Model& m) {
-  return m.join.present() ? s.metrics.join.wallGap / kWallsMeet : s.metrics.openingArea / m.restOpening;
+  return m.join.present() ? s.metrics.seam->join.wallGap / kWallsMeet : s.metrics.openingArea / m.restOpening;
 }
 
 }  // namespace

@@ -12,13 +12,18 @@ namespace halsted::scenes {
 namespace {
 
 constexpr double kPi = 3.14159265358979312;    // [rad]
-constexpr double kOver = 16e-3;                // [m] jaw tips above the stitch while the thread is wound
+// The driver stands beside the stitch, on the tail's side, so that the thread comes to it level and does not run off the tips.
+constexpr double kBeside = 15e-3, kAcross = 8e-3, kTipsUp = 4e-3;   // [m] from the stitch; out of the tail's way; above it
 constexpr double kUpJaws = 9e-3;               // [m] above the tips: where the thread goes round; what the jaws grip lies lower
-constexpr double kWindSpeed = 5.0;             // [rad/s]
+constexpr double kRise = 0.5;                  // [1] of the winding hand over its distance from the driver: it pulls up as the stitch pulls down
+constexpr double kWindSpeed = 3.0;             // [rad/s]
 constexpr double kMove = 0.08, kCareful = 0.03;   // [m/s]
-constexpr double kSlack = 5e-3;                // [m] kept in the long end so that the jaws can open inside the loop
-constexpr double kRound = 14e-3;               // [m] of thread in a turn about open jaws
-constexpr double kNearest = 5e-3, kFarthest = 18e-3;   // [m] of the winding hand from the driver
+constexpr double kSlack = 6e-3;                // [m] kept in the long end so that the jaws can open inside the loop
+constexpr double kSnug = 0.03, kGive = 0.06;   // [N] more would draw the tail into the tissue: the winding hand gives way; [m/s]
+constexpr double kPerThrow = 6e-3;             // [m] of each end that a throw takes up
+constexpr double kTaut = 0.5;                  // [N] at which a tail on its way up is drawn no farther
+constexpr double kLoop = 2.3e-3;               // [m] radius of a turn about the jaws
+constexpr double kNearest = 6e-3;              // [m] of the winding hand from the driver
 constexpr double kFromEnd = 5e-3;              // [m] of tail beyond the jaws
 constexpr double kTailShare = 0.85;            // [1] of its length: how far from the tissue the tail is drawn up through the loop
 constexpr double kAside = 10e-3, kLow = 6e-3;  // [m] from the stitch as the ends begin to be drawn; above it
@@ -71,10 +76,10 @@ Pose upright(const Vec3& position, const Vec3& along) {
 
 Pose keepTurn(const Scene& s, int hand, const Vec3& position) { return {position, s.memory.hand[hand].command.orientation}; }
 
-Vec3 driverPlace(const Scene& s) { return stitch(s) + kOver * Vec3::UnitZ(); }
-Vec3 windingPlace(const Scene& s, double angle) {   // [rad] from the side where the winding begins
+Vec3 driverPlace(const Scene& s) {
   const KnotPlan& k = s.memory.knot;
-  return driverPlace(s) + kUpJaws * Vec3::UnitZ() + k.radius * turned(k.side, angle);
+  const Vec3 across = turned(k.side, 0.5 * kPi * k.throws[k.current].sense);
+  return stitch(s) - kBeside * k.side + kAcross * across + kTipsUp * Vec3::UnitZ();
 }
 
 double tailPlace(const Scene& s) { return std::fmin(kFromEnd, 0.5 * tailHole(s).coordinate); }   // [m]
@@ -90,19 +95,21 @@ bool holdsTail(const Scene& s) {
   return c >= 0.0 && c < tailHole(s).coordinate;
 }
 
-/// As far from the driver as the winding hand's thread reaches without pulling.  [m]
-double roomBeside(const Scene& s, const Vec3& driver) {   // [m]
+/// Where the winding hand is, having gone so far round the driver, with its thread all but straight. `driver`: the tips.
+Vec3 windingPlace(const Scene& s, const Vec3& driver, double swept) {   // [m], [rad]
   const KnotPlan& k = s.memory.knot;
-  const double free = s.state.tools[kLeft].threadCoordinate - longHole(s).coordinate;   // [m]
-  const double used = (driver + kUpJaws * Vec3::UnitZ() - holePoint(s.model, longHole(s), s.state.tissue.position)).norm() + kRound * k.throws[k.current].turns;
-  return std::fmin(kFarthest, std::fmax(kNearest, free - used - kSlack));
+  const Vec3 out = turned(k.side, swept * k.throws[k.current].sense) + kRise * Vec3::UnitZ();
+  const Vec3 loop = driver + kUpJaws * Vec3::UnitZ(), from = loop - holePoint(s.model, longHole(s), s.state.tissue.position);
+  const double length = s.state.tools[kLeft].threadCoordinate - longHole(s).coordinate - kSlack - kPerThrow * k.current - k.given;   // [m]
+  double distance = (length - from.norm() - kLoop * (swept - kPi)) / out.norm();                   // [m] round the driver
+  if (swept < kPi) {                           // the thread does not touch it yet: |from + distance out| = length
+    const double b = from.dot(out), rest = b * b - out.squaredNorm() * (from.squaredNorm() - length * length);   // [m], [m^2]
+    distance = rest > 0.0 ? (std::sqrt(rest) - b) / out.squaredNorm() : kNearest;
+  }
+  return loop + std::fmax(kNearest, distance) * out;
 }
 
-void planThrow(const Scene& s) {
-  KnotPlan& k = s.memory.knot;
-  k.radius = roomBeside(s, driverPlace(s));
-  k.swept = 0.0;
-}
+double wholeTurns(const Scene& s) { return 2.0 * kPi * s.memory.knot.throws[s.memory.knot.current].turns; }   // [rad]
 
 bool begin(const Scene& s, std::string& failure) {
   KnotPlan& k = s.memory.knot;
@@ -135,32 +142,35 @@ void takeLongEnd(const Scene& s, std::string& failure) {
   }
 }
 
-/// The winding hand stands on its side, then the driver comes over the stitch with closed jaws, then the thread goes round.
+/// A winding hand that feels its thread gives way.
+void giveWay(const Scene& s) {
+  if (s.state.tools[kLeft].threadForce.norm() > kSnug) s.memory.knot.given += kGive * s.dt;
+}
+
+/// The winding hand stands on its side, then the driver comes beside the stitch with closed jaws, then the thread goes round.
 void wind(const Scene& s) {
   ExpertState& e = s.memory;
   KnotPlan& k = e.knot;
-  const double whole = 2.0 * kPi * k.throws[k.current].turns;   // [rad]
   if (e.phase == kLiftLong) {
-    planThrow(s);
+    k.swept = k.given = 0.0;
     e.hand[kRight].jaw = 0.0;
-    const bool up = moveHand(s, kLeft, keepTurn(s, kLeft, windingPlace(s, 0.0)), kMove);
+    const bool up = moveHand(s, kLeft, keepTurn(s, kLeft, windingPlace(s, driverPlace(s), 0.0)), kMove);
     const bool ready = moveHand(s, kRight, upright(driverPlace(s) + 0.025 * Vec3::UnitZ(), k.side), kMove);
     if (up && ready) goTo(s, kStand);
   } else if (e.phase == kStand) {
     if (moveHand(s, kRight, upright(driverPlace(s), k.side), kMove) && s.inPhase > 0.2) goTo(s, kWind);
   } else if (e.phase == kWind) {
-    k.swept = std::fmin(whole, k.swept + kWindSpeed * s.dt);
-    const double angle = k.throws[k.current].sense * k.swept;   // [rad]
-    if (moveHand(s, kLeft, keepTurn(s, kLeft, windingPlace(s, angle)), 0.15) && k.swept >= whole) {
-      goTo(s, kFollow);
-    }
+    giveWay(s);
+    k.swept = std::fmin(wholeTurns(s), k.swept + kWindSpeed * s.dt);
+    const Vec3 hand = windingPlace(s, e.hand[kRight].command.position, k.swept);
+    if (moveHand(s, kLeft, keepTurn(s, kLeft, hand), 0.25) && k.swept >= wholeTurns(s)) goTo(s, kFollow);
   }
 }
 
-/// The winding hand stays beside the driver, as near as the loop needs.
+/// The winding hand stays beside the driver and keeps the loop on its jaws.
 void follow(const Scene& s) {
-  const Vec3& driver = s.memory.hand[kRight].command.position;
-  moveHand(s, kLeft, keepTurn(s, kLeft, driver + kUpJaws * Vec3::UnitZ() + roomBeside(s, driver) * s.memory.knot.side), 0.15);
+  giveWay(s);
+  moveHand(s, kLeft, keepTurn(s, kLeft, windingPlace(s, s.memory.hand[kRight].command.position, wholeTurns(s))), 0.15);
 }
 
 /// The driver, loop round its jaws, goes to the tail, opens, takes it.
@@ -196,12 +206,13 @@ void drawThrough(const Scene& s) {
   const Vec3 p = stitch(s);
   if (e.phase == kThrough) {
     const Vec3 from = holePoint(s.model, tailHole(s), s.state.tissue.position);
-    const double reach = kTailShare * (tailHole(s).coordinate - s.state.tools[kRight].threadCoordinate);   // [m]
+    const ToolState& driver = s.state.tools[kRight];
+    const double reach = kTailShare * (tailHole(s).coordinate - driver.threadCoordinate - kPerThrow * k.current);   // [m]
     const Vec3 up = from + reach * (Vec3::UnitZ() - 0.3 * k.side).normalized();
-    const bool drawn = moveHand(s, kRight, keepTurn(s, kRight, up), kCareful);
+    const bool drawn = driver.threadForce.norm() > kTaut || moveHand(s, kRight, keepTurn(s, kRight, up), kCareful);
     // The long end goes on round the tail the way that it was wound: straight across it could as well unwind half a turn.
     const Vec3 on = turned(k.side, 0.5 * kPi * k.throws[k.current].sense);
-    const Vec3 away = p + (kAside + k.radius) * on + kLow * Vec3::UnitZ();
+    const Vec3 away = p + 1.2 * kAside * on + kLow * Vec3::UnitZ();
     moveHand(s, kLeft, keepTurn(s, kLeft, away), kCareful);
     if (drawn && s.inPhase > 0.4) goTo(s, kCross);
   } else {

@@ -15,8 +15,13 @@ using Names = std::array<std::pair<const char*, T>, 3>;
 constexpr Names<TissueSolver> kSolvers = {{{"projective", TissueSolver::kProjective},
                                            {"xpbd", TissueSolver::kXpbd},
                                            {"shape_matching", TissueSolver::kShapeMatching}}};
-constexpr std::array<std::pair<const char*, ToolKind>, 2> kTools = {
-    {{"needle_driver", ToolKind::kNeedleDriver}, {"forceps", ToolKind::kForceps}}};
+constexpr std::array<std::pair<const char*, ToolKind>, 4> kTools = {{{"needle_driver", ToolKind::kNeedleDriver},
+                                                                     {"forceps", ToolKind::kForceps},
+                                                                     {"acupuncture_needle", ToolKind::kAcupunctureNeedle},
+                                                                     {"finger", ToolKind::kFinger}}};
+constexpr std::array<std::pair<const char*, ModelKind>, 2> kModels = {{{"suture", ModelKind::kSuture}, {"needling", ModelKind::kNeedling}}};
+constexpr std::array<std::pair<const char*, NetProfile>, 2> kProfiles = {
+    {{"inverse_distance", NetProfile::kInverseDistance}, {"cone", NetProfile::kCone}}};
 
 /// One overload per kind of slot.
 struct Setter {
@@ -59,14 +64,16 @@ struct Setter {
 
   void operator()(double* out) const { *out = ranged(requireNumber(node, source.where)); }
   void operator()(int* out) const { *out = static_cast<int>(integer()); }
-  void operator()(bool* out) const {
-    if (!node.is_boolean()) throw InputError(source.where + ": must be true or false, is " + kindOf(node));
-    *out = *node.value<bool>();
-  }
   void operator()(std::uint64_t* out) const { *out = static_cast<std::uint64_t>(integer()); }
   void operator()(std::string* out) const { *out = text(); }
   void operator()(TissueSolver* out) const { named(kSolvers, *out); }
   void operator()(ToolKind* out) const { named(kTools, *out); }
+  void operator()(ModelKind* out) const { named(kModels, *out); }
+  void operator()(NetProfile* out) const { named(kProfiles, *out); }
+  void operator()(bool* out) const {
+    if (!node.is_boolean()) throw InputError(source.where + ": must be true or false, is " + kindOf(node));
+    *out = *node.value<bool>();
+  }
   void operator()(Vec3* out) const {
     const toml::array* list = node.as_array();
     if (!list || list->size() != 3)
@@ -100,7 +107,7 @@ struct Setter {
 
 bool takesText(const FieldSlot& slot) {
   return std::holds_alternative<std::string*>(slot) || std::holds_alternative<TissueSolver*>(slot) ||
-         std::holds_alternative<ToolKind*>(slot) || std::holds_alternative<MaterialName>(slot) ||
+         std::holds_alternative<ToolKind*>(slot) || std::holds_alternative<ModelKind*>(slot) || std::holds_alternative<NetProfile*>(slot) || std::holds_alternative<MaterialName>(slot) ||
          std::holds_alternative<MeshPath>(slot);
 }
 

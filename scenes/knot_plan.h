@@ -19,7 +19,7 @@ struct KnotPlan {
   std::size_t current = 0;
   Vec3 side = Vec3::UnitX();                   // [1] level, from the stitch toward the strand of the long end below this throw
   double swept = 0.0;                          // [rad] of this throw's winding
-  double radius = 0.0;                         // [m] of the winding hand's way round the driver
+  double given = 0.0;                          // [m] by which the winding hand has given way
   int misses = 0;                              // of the tail
   std::array<double, kHands> drawn{}, felt{};  // [m], [N]
   double settled = 0.0;                        // [s]

@@ -1,5 +1,6 @@
 #pragma once
 /// A scene folder read from disk: `scene.toml` (anatomy, materials, tools, procedure, camera) and the anatomy built from it.
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -7,7 +8,7 @@
 #include "sim/exchange.h"
 #include "sim/params.h"
 #include "sim/procedure.h"
-#include "sim/mesh.h"
+#include "sim/anatomy.h"
 
 namespace halsted::scenes {
 
@@ -22,6 +23,9 @@ struct SceneFile {
   SimParams params;
   std::vector<ProcedureStep> procedure;
   CameraView camera;
+  std::map<std::string, std::vector<std::string>> presets;   // [preset] NAME = ["key=value", ...]: settings that belong together
+  bool cutaway = false;                        // camera.cutaway: the picture opens with the layers cut open
+  std::map<std::string, std::string> origins;  // "file:line: key" or "--set ..." of every key that was set, for messages
   std::string text;                            // the file as read, kept for the session record
   std::vector<std::string> overrides;          // "key=value" as given, kept for the session record
 };
@@ -39,8 +43,11 @@ SceneFile parseScene(const std::string& text, const std::string& origin, const s
 std::vector<std::string> sceneFolders();
 std::string scenesDirectory();
 
-/// Wall tetrahedra of the scene's anatomy: procedural, or built from `params.anatomy.mesh`. Rim centred at the origin, its plane
-/// facing +z, tube running to -z. Throws InputError when the mesh is not a usable tube.
-TetMesh buildAnatomy(const SceneFile&);
+/// The scene's anatomy: procedural, or built from `params.anatomy.mesh`. Throws InputError when the mesh is not usable.
+/// A suture's: wall tetrahedra, rim centred at the origin, its plane facing +z, tube running to -z.
+/// A body: the acupoint to be needled at the origin, the skin's normal there +y, the head to the surgeon's left (-x).
+Anatomy buildAnatomy(const SceneFile&);
+/// Where a key was set, else the scene file and the key.
+std::string placeOf(const SceneFile&, const std::string& key);
 
 }  // namespace halsted::scenes

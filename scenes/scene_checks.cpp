@@ -37,21 +37,24 @@ void checkAnatomy(const AnatomyParams& anatomy, const std::string& origin, const
   }
 }
 
-}  // namespace
-
-void checkScene(const SceneFile& scene, const std::string& origin, const SettingOrigins& origins) {
-  const SimParams& params = scene.params;
-  if (scene.title.empty()) throw InputError(quoted(origin) + ": title: is missing");
+void checkSuture(const SimParams& params, const std::string& origin, const SettingOrigins& origins) {
   checkAnatomy(params.anatomy, origin, origins);
   if (params.thread.nodes * params.thread.segmentLength > kLongestThread)
     throw InputError(placeOf(origin, origins, {"thread.segment_length", "thread.nodes"}) + ": the thread is longer than " +
                      plainNumber(kLongestThread) + " m");
+  if (params.anvil.radius > 0.0 && params.anvil.from == params.anvil.to)
+    throw InputError(placeOf(origin, origins, {"anvil.to", "anvil.from"}) + ": the anvil has no length");
+}
+
+}  // namespace
+
+void checkScene(const SceneFile& scene, const std::string& origin, const SettingOrigins& origins) {
+  if (scene.title.empty()) throw InputError(quoted(origin) + ": title: is missing");
+  if (scene.params.model == ModelKind::kSuture) checkSuture(scene.params, origin, origins);
   const Vec3 view = scene.camera.target - scene.camera.eye;  // [m]
   if (!(view.cross(scene.camera.up).norm() > 1e-6 * view.norm()))
     throw InputError(placeOf(origin, origins, {"camera.up", "camera.eye", "camera.target"}) +
                      ": eye and target coincide or up points along the view");
-  if (params.anvil.radius > 0.0 && params.anvil.from == params.anvil.to)
-    throw InputError(placeOf(origin, origins, {"anvil.to", "anvil.from"}) + ": the anvil has no length");
 }
 
 }  // namespace halsted::scenes

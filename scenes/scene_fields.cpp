@@ -9,13 +9,15 @@ void addScene(SceneFile& scene, Fields& fields) {
   fields.insert(fields.end(), {
       {"title", &scene.title, 0, 200, "characters"},
       {"technique", &scene.technique, 0, 1000, "characters"},
+      {"sim.model", &scene.params.model, 0, 0, ""},
       {"sim.dt", &scene.params.dt, 1e-5, 2e-2, "s"},
       {"sim.gravity", &scene.params.gravity, -100, 100, "m/s^2"},
       {"sim.seed", &scene.params.seed, 0, 9e18, ""},
       {"camera.eye", &scene.camera.eye, -10, 10, "m"},
       {"camera.target", &scene.camera.target, -10, 10, "m"},
       {"camera.up", &scene.camera.up, -1, 1, ""},
-      {"camera.fov_degrees", &scene.camera.fovDegrees, 5, 120, "deg"},
+      {"camera.fov_degrees", &scene.camera.fovDegrees, 0.2, 120, "deg"},
+      {"camera.cutaway", &scene.cutaway, 0, 0, ""},
   });
 }
 
@@ -118,6 +120,7 @@ std::vector<SceneField> sceneFields(SceneFile& scene) {
   addTool("tool.left", scene.params.tools[kLeft], fields);
   addTool("tool.right", scene.params.tools[kRight], fields);
   addAnatomy(scene.params, fields);
+  addNeedling(scene, fields);
   return fields;
 }
 

@@ -12,7 +12,7 @@ namespace halsted::scenes {
 struct MaterialName { TissueParams* tissue; };  // tissue.material: a preset's name, applied to several fields at once
 struct MeshPath { std::string* path; };         // anatomy.mesh: checked against the folders it may come from
 
-using FieldSlot = std::variant<double*, int*, bool*, std::uint64_t*, std::string*, Vec3*, TissueSolver*, ToolKind*, MaterialName, MeshPath>;
+using FieldSlot = std::variant<double*, int*, std::uint64_t*, std::string*, Vec3*, TissueSolver*, ToolKind*, ModelKind*, NetProfile*, bool*, MaterialName, MeshPath>;
 
 struct SceneField {
   std::string key;                // dotted, as in --set
@@ -20,6 +20,9 @@ struct SceneField {
   double min = 0.0, max = 0.0;    // [unit] for a vector, of each component; for a string, max is its length
   const char* unit = "";
 };
+
+/// [needling] and the [anatomy] of a body.
+void addNeedling(SceneFile&, std::vector<SceneField>&);
 
 /// Slots point into `scene`, which must outlive the list. tissue.material comes before the keys it presets.
 std::vector<SceneField> sceneFields(SceneFile& scene);

@@ -45,6 +45,17 @@ std::string unknown(const std::vector<SceneField>& fields, const std::string& ke
   return "unknown key";
 }
 
+/// [preset]: lists of settings by name. They are checked when they are used, as overrides are.
+void takePresets(const std::string& origin, FlatToml& values, SceneFile& scene) {
+  constexpr const char* kTable = "preset.";
+  for (auto at = values.lower_bound(kTable); at != values.end() && at->first.rfind(kTable, 0) == 0; at = values.erase(at)) {
+    const std::string where = whereIs(origin, *at->second, at->first);
+    const toml::array* list = at->second->as_array();
+    if (!list) throw InputError(where + ": must be a list of \"key=value\", is " + kindOf(*at->second));
+    for (const toml::node& entry : *list) scene.presets[at->first.substr(std::string(kTable).size())].push_back(requireText(entry, where));
+  }
+}
+
 void applyFile(const toml::table& root, const std::string& origin, SceneFile& scene, SettingOrigins& origins) {
   const std::vector<SceneField> fields = sceneFields(scene);
   FlatToml values;
@@ -53,6 +64,7 @@ void applyFile(const toml::table& root, const std::string& origin, SceneFile& sc
     scene.procedure = readProcedure(*found->second, origin);
     values.erase(found);
   }
+  takePresets(origin, values, scene);
   for (const auto& [key, node] : values) {
     const bool emptyKnownTable = node->is_table() && isTable(fields, key);
     if (!find(fields, key) && !emptyKnownTable) throw InputError(whereIs(origin, *node, key) + ": " + unknown(fields, key));
@@ -99,6 +111,7 @@ SceneFile parseScene(const std::string& text, const std::string& origin, const s
   applyFile(parseToml(text, origin), origin, scene, origins);
   for (const std::string& setting : overrides) applyOverride(setting, trust, scene, origins);
   checkScene(scene, origin, origins);
+  scene.origins = origins;
   return scene;
 }
 

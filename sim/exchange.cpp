@@ -22,8 +22,19 @@ const char* name(EventKind kind) {
     case EventKind::kThreadCut: return "thread cut";
     case EventKind::kThrowTied: return "throw tied";
     case EventKind::kThrowLost: return "throw lost";
+    case EventKind::kLayerPunctured: return "layer punctured";
   }
   return "unknown event";
+}
+
+const char* name(ToolKind kind) {
+  switch (kind) {
+    case ToolKind::kNeedleDriver: return "needle_driver";
+    case ToolKind::kForceps: return "forceps";
+    case ToolKind::kAcupunctureNeedle: return "acupuncture_needle";
+    case ToolKind::kFinger: return "finger";
+  }
+  return "unknown";
 }
 
 }  // namespace halsted

@@ -56,7 +56,9 @@ struct LocalContact {
 enum class EventKind : std::uint8_t {
   kNeedleEntered, kNeedleExited, kBiteCompleted, kNeedleGrasped, kNeedleReleased, kThreadGrasped, kThreadReleased,
   kTissueGrasped, kTissueReleased, kChannelTorn, kChannelEmptied, kStepDone, kFault, kProcedureCompleted,
-  kThreadBroken, kThrowTied, kThrowLost, kThreadCut
+  kThreadBroken, kThrowTied, kThrowLost,
+  kLayerPunctured,                           // index: layer from the skin; value: the surface term that fell away [N]
+  kThreadCut
 };
 const char* name(EventKind);
 
@@ -75,6 +77,20 @@ struct ToolView {
   Vec3 force = Vec3::Zero();                 // [N] on the hand
 };
 
+/// A needle in layered tissue. Inside, the needle's tool pose is that of the hand; the needle itself lies on the line of `tools[].pose`.
+struct NeedlingView {
+  int punctured = 0;                         // layers gone through, from the skin
+  double depth = 0.0;                        // [m] of the tip below the skin at rest, along the needle; negative: above it
+  std::array<double, 3> inside{};            // [m] shaft in skin, fat, muscle
+  std::array<double, 3> dimple{};            // [m] how far each surface stands from its rest at the needle, inward positive
+  Vec3 contact = Vec3::Zero();               // [m] where the needle touches or crosses the skin
+  double angle = 0.0;                        // [rad] between needle and skin: pi / 2 is perpendicular
+  double turned = 0.0;                       // [rad] net rotation since it went in
+  double torque = 0.0;                       // [N m] on the needle about its axis
+  double grasp = 1.0;                        // [1] factor of friction that winding has built up
+  double pressed = 0.0;                      // [m] skin under the pressing finger
+};
+
 struct RenderSnapshot {
   std::uint64_t step = 0;
   double time = 0.0;                         // [s]
@@ -90,10 +106,12 @@ struct RenderSnapshot {
   std::uint32_t faults = 0;
   double openingArea = 0.0;                  // [m^2]
   double threadTension = 0.0;                // [N] largest along the thread
+  NeedlingView needling;                     // of a layered body
 };
 
 /// What never changes while a scene runs; handed to the renderer once.
-enum class ToolKind : std::uint8_t { kNeedleDriver, kForceps };
+enum class ToolKind : std::uint8_t { kNeedleDriver, kForceps, kAcupunctureNeedle, kFinger };
+const char* name(ToolKind);                  // as in scene.toml
 
 struct JawShape {                            // of one tool, as it is simulated
   double length = 12e-3, radius = 1.2e-3;    // [m] from hinge to tip; of each jaw
@@ -108,17 +126,49 @@ struct NeedleShape {                         // arc in the needle frame's x-y pl
 
 struct CapsuleShape { Vec3 a = Vec3::Zero(), b = Vec3::Zero(); double radius = 0.0; };   // [m] all
 
+/// A straight needle along +z of its tool frame: the tip at the origin, then shaft, then handle. Bodies of revolution.
+struct StraightNeedle {
+  double length = 0.0, radius = 0.0;         // [m] of the shaft; length 0: there is none
+  double handleLength = 0.0, handleRadius = 0.0;   // [m]
+};
+
+/// A point of the body that can be needled, with its textbook depth and angle.
+struct AcupointMark {
+  std::string id, name;
+  Vec3 place = Vec3::Zero();                 // [m] on the skin at rest
+  Vec3 normal = Vec3::UnitY();               // [1] outward
+  double depth = 0.0;                        // [m] along the needle
+  double angle = 0.0;                        // [rad] between needle and skin
+};
+
+/// Nested closed surfaces instead of a wall. Vertices of all of them lie in RenderScene::tissueRest and RenderSnapshot::tissue, in
+/// polar rings round the target point that are finest there. Triangles carry TissueLook in RenderScene::triangleLayer.
+struct LayeredBody {
+  int layers = 0;                            // 0: the tissue is a wall
+  std::vector<AcupointMark> points;
+  int target = -1;                           // of `points`
+  std::vector<std::uint8_t> shown;           // per triangle of RenderScene::surface: Shown
+  Vec3 cutNormal = Vec3::UnitZ();            // [1] of the cutaway's plane through the target, toward the half that is taken away
+};
+enum class TissueLook : int { kSerosa, kMucosa, kCutRim, kSkin, kFat, kMuscle, kSkinSection, kFatSection, kMuscleSection };
+inline constexpr int kTissueLooks = 9;
+enum class Shown : std::uint8_t { kAlways, kWhole, kCutaway };   // kWhole: taken away by the cutaway; kCutaway: seen in it only
+
 struct CameraView { Vec3 eye = Vec3(0, 0.05, 0.12), target = Vec3::Zero(), up = Vec3::UnitY(); double fovDegrees = 40.0; };
 
 struct RenderScene {
   std::string name, title;
   std::vector<Vec3> tissueRest;              // [m]
   std::vector<std::array<int, 3>> surface;   // triangles, counter-clockwise seen from outside the wall
-  std::vector<int> triangleLayer;            // per triangle: 0 serosa (outside), 1 mucosa (lumen), 2 cut rim and ends
+  std::vector<int> triangleLayer;            // per triangle, a TissueLook: 0 serosa (outside), 1 mucosa (lumen), 2 cut rim and ends
   std::vector<Eigen::Vector2d> surfaceUv;    // per particle: (angle/2pi, length along the tube [m])
   int threadNodes = 0;
   double threadRadius = 0.0;                 // [m]
   NeedleShape needle;
+  LayeredBody body;                          // of a scene that needles a body; triangles of hidden layers are in `surface` too
+  StraightNeedle straightNeedle;
+  double fingerRadius = 0.0;                 // [m] 0: no pressing finger
+  bool cutaway = false;                      // as the scene opens; the viewer may change it
   std::vector<CapsuleShape> rods;            // fixed rods (the anvil)
   std::array<ToolKind, kHands> tools{ToolKind::kForceps, ToolKind::kNeedleDriver};
   std::array<JawShape, kHands> jaws;

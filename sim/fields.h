@@ -7,6 +7,7 @@
 /// scalars (double, an integer or bool); `stride` scalars make an element (3 in a Vec3). Vectors call `size(path, length)` first.
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -41,6 +42,9 @@ template <class T> struct ArrayTraits<std::vector<T>> { static constexpr bool is
 template <class T> struct ArrayTraits<std::span<T>> { static constexpr bool isArray = true, isVector = false; using Item = T; };
 template <class T, std::size_t N> struct ArrayTraits<std::array<T, N>> { static constexpr bool isArray = true, isVector = false; using Item = T; };
 
+template <class T> inline constexpr bool kOptional = false;
+template <class T> inline constexpr bool kOptional<std::optional<T>> = true;
+
 inline double* scalarData(Vec3& v) { return v.data(); }
 inline double* scalarData(Quat& q) { return q.coeffs().data(); }
 template <class T> requires std::is_arithmetic_v<T> T* scalarData(T& x) { return &x; }
@@ -64,7 +68,13 @@ template <class V> struct FieldWalk {
     using Array = ArrayTraits<T>;
     if constexpr (kScalars<T> > 0) visitor.leaf(path, scalarData(field), kScalars<T>, kScalars<T>);
     else if constexpr (Array::isArray) array(field);
+    else if constexpr (kOptional<T>) part(field);
     else visitMembers(field, *this);
+  }
+  /// A part that the model has or has not; what is not there leaves no trace.
+  template <class T> void part(std::optional<T>& field) {
+    if constexpr (requires { visitor.holder(&field, sizeof field); }) visitor.holder(&field, sizeof field);   // for tests
+    if (field) value(*field);
   }
   template <class T> void array(T& field) {
     using Item = typename ArrayTraits<T>::Item;
@@ -106,10 +116,10 @@ template <class V> void visitMembers(ThreadContactState& object, FieldWalk<V>& w
   walk.members("contacts", std::span<ThreadContact>(contacts.data(), static_cast<std::size_t>(count)));
 }
 template <class V> void visitMembers(KnotState& object, FieldWalk<V>& walk) {
-  auto& [watched, complete, throws, turns, sense, crossingsLeft, gap, size, toolTurns, breaks] = object;
+  auto& [watched, complete, throws, turns, sense, crossingsLeft, gap, size, toolTurns, breaks, cuts] = object;
   if (!watched) return;
-  walk.members("complete, throws, turns, sense, crossingsLeft, gap, size, toolTurns, breaks", complete, throws, turns, sense, crossingsLeft,
-               gap, size, toolTurns, breaks);
+  walk.members("complete, throws, turns, sense, crossingsLeft, gap, size, toolTurns, breaks, cuts", complete, throws, turns, sense, crossingsLeft,
+               gap, size, toolTurns, breaks, cuts);
   if (throws < 0 || throws > KnotState::kMostThrows) throws = 0;   // read from damaged data
 }
 HALSTED_FIELDS(ToolState, device, proxy, jaw, closed, ratchet, force, holdsNeedle, needleCoordinate, needleInTool, needleForce, threadCoordinate,
@@ -117,12 +127,22 @@ HALSTED_FIELDS(ToolState, device, proxy, jaw, closed, ratchet, force, holdsNeedl
                contactWeight, contactNormal, contactForce, nearCount, nearTriangle)
 HALSTED_FIELDS(ProcedureState, current, heldDone, heldFault, stepStart, finished, faults, inFault, late)
 HALSTED_FIELDS(HandMetrics, pathLength, peakForce, forceSum, forceSteps, lastPosition, started)
-HALSTED_FIELDS(BiteMetrics, depth, spacing, entryAngle, width, wallShare)
+HALSTED_FIELDS(BiteMetrics, depth, spacing, entryAngle, width)
 HALSTED_FIELDS(JoinMetrics, crossings, rimGap, wallGap, inversion, sewnShare, tailDifference)
-HALSTED_FIELDS(MetricsState, hands, bites, biteCount, lastExit, acrossOpening, tears, peakStretch, peakTension, openingArea, restOpeningArea, join,
-               fullThickness, deepestTip, threadCuts, lastBowel)
+HALSTED_FIELDS(SeamMetrics, join, wallShare, fullThickness, deepestTip, lastBowel)
+HALSTED_FIELDS(Strokes, direction, extreme, lastTurn, count, counted, amplitude, amplitudeSquares, trough, troughSquares, troughs)
+HALSTED_FIELDS(NeedlingMetrics, entered, left, entryOffset, angle, deepest, depthError, enteredAt, reachedAt, leftAt, peakForce, peakPull, peakGrasp,
+               peakTorque, peakWithdrawal, lifts, twirls, turned, lastTurned)
+HALSTED_FIELDS(MetricsState, hands, bites, biteCount, lastExit, acrossOpening, tears, peakStretch, peakTension, openingArea, restOpeningArea, seam,
+               needling)
+HALSTED_FIELDS(LayerState, phase, crossing, since, normal, rest, now)
+HALSTED_FIELDS(ShaftFriction, held, slid, force, drag)
+HALSTED_FIELDS(TipCut, reached, force)
+HALSTED_FIELDS(Winding, angle, turned, length, torque, grasp)
+HALSTED_FIELDS(NeedlingState, step, skinUnit, fingerUnit, contact, outward, entry, axis, layers, depth, pressed, fingerDepth, fingerPlace,
+               fingerNormal, needleTurn, friction, cut, winding, inside)
 template <class V> void visitMembers(StepWork&, V&) {}   // scratch is not part of the state's value
-HALSTED_FIELDS(State, step, random, tissue, strand, threadContacts, knot, tools, procedure, metrics, lumenPressure, work)
+HALSTED_FIELDS(State, step, random, tissue, strand, threadContacts, knot, tools, procedure, metrics, needling, work)
 
 #undef HALSTED_FIELDS
 

@@ -1,3 +1,4 @@
+#include "sim/needling/needling_scene.h"
 #include "sim/step.h"
 #include "sim/tissue/tissue.h"
 
@@ -23,13 +24,9 @@ Pose needleInTool(const StrandModel& m, double coordinate) {
 
 Pose compose(const Pose& a, const Pose& b) { return {a.apply(b.position), (a.orientation * b.orientation).normalized()}; }
 
-}  // namespace
-
-State initialState(const Model& m, const std::array<Pose, kHands>& start) {
-  State s;
-  s.random = m.params.seed;
+void beginSuture(const Model& m, State& s) {
   s.tissue = restState(m.tissue);
-  for (int hand = 0; hand < kHands; ++hand) s.tools[hand].device = s.tools[hand].proxy = start[hand];
+  if (m.join.present()) s.metrics.seam.emplace();
   ToolState& driver = s.tools[kRight];
   driver.jaw = 0.0;
   driver.closed = driver.ratchet = driver.holdsNeedle = true;
@@ -48,26 +45,26 @@ State initialState(const Model& m, const std::array<Pose, kHands>& start) {
   s.work.force.assign(m.mesh.vertices.size(), Vec3::Zero());
   s.work.change.assign(m.mesh.vertices.size(), Vec3::Zero());
   for (auto* list : {&s.work.self.cell, &s.work.self.item}) list->resize(m.surface.vertices.size());
-  s.work.self.place.resize(m.surface.vertices.size());
+  s.work.self.place.assign(3 * m.surface.vertices.size() + 4, 0.0);
+  for (NearPairs& near : s.work.self.nearby) {
+    for (auto* list : {&near.vertex, &near.triangle}) list->resize(NearPairs::kMost);
+    near.place.assign(m.surface.vertices.size(), Vec3::Zero());
+  }
   s.work.self.ring.resize(m.mesh.vertices.size());
   s.work.self.give.resize(m.mesh.vertices.size());
-  return s;
 }
 
-void prepareSnapshot(const Model& m, RenderSnapshot& r) {
+void prepareSutureSnapshot(const Model& m, RenderSnapshot& r) {
   r.tissue.resize(m.mesh.vertices.size());
   r.thread.resize(m.strand.nodes);
   r.twist.assign(m.strand.nodes, 0.0);
   r.punctures.resize(StrandState::kMaxHoles);
 }
 
-void fillSnapshot(const Model& m, const State& s, RenderSnapshot& r) {
-  r.step = s.step;
-  r.time = s.step * m.params.dt;
+void fillSutureSnapshot(const Model& m, const State& s, RenderSnapshot& r) {
   std::copy(s.tissue.position.begin(), s.tissue.position.end(), r.tissue.begin());
   std::copy(s.strand.position.begin(), s.strand.position.end(), r.thread.begin());
   r.needle = s.strand.needle;
-  for (int hand = 0; hand < kHands; ++hand) r.tools[hand] = {s.tools[hand].proxy, s.tools[hand].jaw, s.tools[hand].force};
   r.punctureCount = s.strand.holeCount;
   for (int i = 0; i < s.strand.holeCount; ++i) {
     const Hole& h = s.strand.holes[i];
@@ -75,13 +72,43 @@ void fillSnapshot(const Model& m, const State& s, RenderSnapshot& r) {
     r.punctures[i].setZero();
     for (int c = 0; c < 4; ++c) r.punctures[i] += h.weight[c] * s.tissue.position[v[c]];
   }
-  r.procedureStep = s.procedure.current;
   r.bites = static_cast<std::uint32_t>(s.metrics.biteCount);
-  r.faults = 0;
-  for (std::int32_t f : s.procedure.faults) r.faults += static_cast<std::uint32_t>(f);
   r.openingArea = s.metrics.openingArea;
   r.threadTension = 0.0;
   for (double t : s.strand.tension) r.threadTension = t > r.threadTension ? t : r.threadTension;
+}
+
+}  // namespace
+
+State initialState(const Model& m, const std::array<Pose, kHands>& start) {
+  State s;
+  s.random = m.params.seed;
+  for (int hand = 0; hand < kHands; ++hand) s.tools[hand].device = s.tools[hand].proxy = start[hand];
+  switch (m.params.model) {
+    case ModelKind::kSuture: beginSuture(m, s); break;
+    case ModelKind::kNeedling: beginNeedling(m, s); break;
+  }
+  return s;
+}
+
+void prepareSnapshot(const Model& m, RenderSnapshot& r) {
+  switch (m.params.model) {
+    case ModelKind::kSuture: prepareSutureSnapshot(m, r); break;
+    case ModelKind::kNeedling: prepareNeedlingSnapshot(m, r); break;
+  }
+}
+
+void fillSnapshot(const Model& m, const State& s, RenderSnapshot& r) {
+  r.step = s.step;
+  r.time = s.step * m.params.dt;
+  for (int hand = 0; hand < kHands; ++hand) r.tools[hand] = {s.tools[hand].proxy, s.tools[hand].jaw, s.tools[hand].force};
+  r.procedureStep = s.procedure.current;
+  r.faults = 0;
+  for (std::int32_t f : s.procedure.faults) r.faults += static_cast<std::uint32_t>(f);
+  switch (m.params.model) {
+    case ModelKind::kSuture: fillSutureSnapshot(m, s, r); break;
+    case ModelKind::kNeedling: fillNeedlingSnapshot(m, s, r); break;
+  }
 }
 
 }  // namespace halsted

@@ -148,21 +148,21 @@ JoinModel buildJoin(const TetMesh& mesh, const Bowels& b, const SurfaceModel& su
   return join;
 }
 
-void measureJoin(const Model& m, State& s) {
-  JoinMetrics& join = s.metrics.join;
-  if (!m.join.present()) return;
+JoinMetrics measureJoin(const Model& m, const State& s) {
+  JoinMetrics join;
+  if (!m.join.present()) return join;
   const StrandState& strand = s.strand;
-  join = JoinMetrics{};
   for (int i = 0; i + 1 < strand.holeCount; ++i)
     join.crossings += bowelOf(m, strand.holes[i]) != bowelOf(m, strand.holes[i + 1]);
   if (strand.holeCount > 0)
     join.tailDifference = std::fabs(strand.holes[0].coordinate - (m.strand.length - strand.holes[strand.holeCount - 1].coordinate));
-  if (join.crossings == 0) { join.rimGap = join.wallGap = m.join.restGap; return; }
+  if (join.crossings == 0) { join.rimGap = join.wallGap = m.join.restGap; return join; }
   const std::array<SewnStretch, 2> sewn{sewnOn(m, strand, 0), sewnOn(m, strand, 1)};
   for (int bowel = 0; bowel < 2; ++bowel) measureStretch(m, s.tissue.position, bowel, sewn[bowel], join);
   const int columns = sewn[0].count + sewn[1].count;
   join.inversion /= columns;
   join.sewnShare = static_cast<double>(columns) / static_cast<double>(m.join.columns[0].size() + m.join.columns[1].size());
+  return join;
 }
 
 }  // namespace halsted

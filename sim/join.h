@@ -31,7 +31,7 @@ struct JoinModel {
   bool present() const { return !columns[0].empty(); }
 };
 
-/// What is written down of it. Part of `MetricsState`.
+/// What is written down of it. Part of `SeamMetrics`.
 struct JoinMetrics {
   std::int32_t crossings = 0;                  // stretches of thread from one bowel to the other
   double rimGap = 0.0;                         // [m] largest distance from edge to edge along the sewn stretch
@@ -42,7 +42,7 @@ struct JoinMetrics {
 };
 
 JoinModel buildJoin(const TetMesh&, const Bowels&, const SurfaceModel&);
-void measureJoin(const Model&, State&);
+JoinMetrics measureJoin(const Model&, const State&);
 
 /// Bowel in which a hole lies.
 int bowelOf(const Model&, const Hole&);

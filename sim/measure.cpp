@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/contact/geometry.h"
+#include "sim/needling/needling_scene.h"
 #include "sim/suture/holes.h"
 
 namespace halsted {
@@ -45,6 +46,13 @@ const Hole& entryOf(const StrandState& s, const Hole& exit) {
   return exit;
 }
 
+void closeBite(int bite, int bowel, SeamMetrics& seam) {
+  if (bite < kMaxBites) seam.wallShare[bite] = seam.deepestTip;
+  seam.fullThickness += seam.deepestTip > kThrough;
+  seam.deepestTip = 0.0;
+  seam.lastBowel = bowel;
+}
+
 void completeBite(const Model& m, const Hole& exit, State& s, StepOutput& out) {
   MetricsState& metrics = s.metrics;
   const Hole& entered = entryOf(s.strand, exit);
@@ -57,25 +65,22 @@ void completeBite(const Model& m, const Hole& exit, State& s, StepOutput& out) {
     b.width = (at - entry).norm();
     b.depth = rimDistance(rim, m.mesh.vertices, entry);
     b.spacing = i > 0 ? (entry - metrics.lastExit).norm() : 0.0;
-    b.wallShare = metrics.deepestTip;
   }
-  metrics.fullThickness += metrics.deepestTip > kThrough;
-  metrics.deepestTip = 0.0;
-  const bool sameBowel = metrics.lastBowel == bowel;
+  const bool sameBowel = !metrics.seam || metrics.seam->lastBowel == bowel;
   if (i > 0 && sameBowel && crossesOpening(rim, m.mesh.vertices, metrics.lastExit, entry)) ++metrics.acrossOpening;
   metrics.lastExit = at;
-  metrics.lastBowel = bowel;
+  if (metrics.seam) closeBite(i, bowel, *metrics.seam);
   pushEvent(out, {s.step, EventKind::kBiteCompleted, -1, i, i < kMaxBites ? metrics.bites[i].depth : 0.0});
 }
 
 /// How deep in the wall the needle's tip is, and has been since the last bite was complete.
-void followTip(const Model& m, State& s) {
-  for (int i = 0; i < s.strand.holeCount; ++i) {
-    const Hole& h = s.strand.holes[i];
+void followTip(const Model& m, const StrandState& strand, SeamMetrics& seam) {
+  for (int i = 0; i < strand.holeCount; ++i) {
+    const Hole& h = strand.holes[i];
     if (h.role != static_cast<std::int32_t>(HoleRole::kTip) && h.role != static_cast<std::int32_t>(HoleRole::kExit)) continue;
     double share = 0.0;                        // [1]
     for (int c = 0; c < 4; ++c) share += h.weight[c] * m.bowels.wallDepth[m.tissue.tets[h.tet][c]];
-    s.metrics.deepestTip = std::fmax(s.metrics.deepestTip, share);
+    seam.deepestTip = std::fmax(seam.deepestTip, share);
   }
 }
 
@@ -130,26 +135,21 @@ std::array<double, 2> tailTensions(const Model& m, const StrandState& s) {
   return {strandTension(m.strand, s, s.holes[0].coordinate, -1), strandTension(m.strand, s, s.holes[s.holeCount - 1].coordinate, 1)};
 }
 
-void measureJoined(const MetricsState& metrics, StepOutput& out) {
+void measureSeam(const SeamMetrics& seam, int lastBite, StepOutput& out) {
   const auto set = [&](Quantity q, double value) { out.seen[static_cast<int>(q)] = value; };
-  const int last = metrics.biteCount < kMaxBites ? metrics.biteCount - 1 : kMaxBites - 1;
-  set(Quantity::kCrossings, metrics.join.crossings);
-  set(Quantity::kRimGap, metrics.join.rimGap);
-  set(Quantity::kWallGap, metrics.join.wallGap);
-  set(Quantity::kInversion, metrics.join.inversion);
-  set(Quantity::kTailDifference, metrics.join.tailDifference);
-  set(Quantity::kWallShare, last >= 0 ? metrics.bites[last].wallShare : 0.0);
-  set(Quantity::kThreadCuts, metrics.threadCuts);
-  set(Quantity::kFullThickness, metrics.fullThickness);
+  set(Quantity::kCrossings, seam.join.crossings);
+  set(Quantity::kRimGap, seam.join.rimGap);
+  set(Quantity::kWallGap, seam.join.wallGap);
+  set(Quantity::kInversion, seam.join.inversion);
+  set(Quantity::kTailDifference, seam.join.tailDifference);
+  set(Quantity::kWallShare, lastBite >= 0 ? seam.wallShare[lastBite] : 0.0);
+  set(Quantity::kFullThickness, seam.fullThickness);
 }
 
-}  // namespace
-
-void measure(const Model& m, State& s, StepOutput& out) {
-  measureHands(s);
-  followTip(m, s);
+void measureSuture(const Model& m, State& s, StepOutput& out) {
+  if (s.metrics.seam) followTip(m, s.strand, *s.metrics.seam);
   countBites(m, s, out);
-  if (s.step % kJoinInterval == 0) measureJoin(m, s);
+  if (s.metrics.seam && s.step % kJoinInterval == 0) s.metrics.seam->join = measureJoin(m, s);
   measureStretch(m, s);
   MetricsState& metrics = s.metrics;
   metrics.openingArea = enclosedArea(m.bowels.rim[0], s.tissue.position);
@@ -158,7 +158,6 @@ void measure(const Model& m, State& s, StepOutput& out) {
   const auto tails = tailTensions(m, s.strand);
   const auto set = [&](Quantity q, double value) { out.seen[static_cast<int>(q)] = value; };
   const int last = metrics.biteCount < kMaxBites ? metrics.biteCount - 1 : kMaxBites - 1;
-  set(Quantity::kTime, s.step * m.params.dt);
   set(Quantity::kNeedleHeld, s.tools[0].holdsNeedle + s.tools[1].holdsNeedle);
   set(Quantity::kBites, metrics.biteCount);
   set(Quantity::kStitchAcrossOpening, metrics.acrossOpening);
@@ -169,9 +168,8 @@ void measure(const Model& m, State& s, StepOutput& out) {
   set(Quantity::kOpeningFraction, m.restOpening > 0.0 ? metrics.openingArea / m.restOpening : 0.0);
   set(Quantity::kRimToAnvil, rimToRod(m, s.tissue.position));
   set(Quantity::kTailsHeld, (s.tools[0].threadCoordinate >= 0.0) + (s.tools[1].threadCoordinate >= 0.0));
-  set(Quantity::kPeakForce, std::fmax(metrics.hands[0].peakForce, metrics.hands[1].peakForce));
   set(Quantity::kTears, metrics.tears);
-  measureJoined(metrics, out);
+  if (metrics.seam) measureSeam(*metrics.seam, last, out);
   const KnotState& knot = s.knot;
   set(Quantity::kThrows, knot.throws);
   set(Quantity::kKnotLocks, locks(knot));
@@ -181,6 +179,19 @@ void measure(const Model& m, State& s, StepOutput& out) {
   set(Quantity::kKnotSize, knot.size);
   set(Quantity::kToolTurns, knot.toolTurns[kRight] < 0 ? -knot.toolTurns[kRight] : knot.toolTurns[kRight]);
   set(Quantity::kThreadBreaks, knot.breaks);
+  set(Quantity::kThreadCuts, knot.cuts);
+}
+
+}  // namespace
+
+void measure(const Model& m, const StepInput& input, State& s, StepOutput& out) {
+  measureHands(s);
+  out.seen[static_cast<int>(Quantity::kTime)] = s.step * m.params.dt;
+  out.seen[static_cast<int>(Quantity::kPeakForce)] = std::fmax(s.metrics.hands[0].peakForce, s.metrics.hands[1].peakForce);
+  switch (m.params.model) {
+    case ModelKind::kSuture: measureSuture(m, s, out); break;
+    case ModelKind::kNeedling: measureNeedling(m, input, s, out); break;
+  }
 }
 
 }  // namespace halsted

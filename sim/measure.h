@@ -6,6 +6,6 @@
 
 namespace halsted {
 
-void measure(const Model&, State&, StepOutput&);
+void measure(const Model&, const StepInput&, State&, StepOutput&);
 
 }  // namespace halsted

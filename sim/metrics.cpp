@@ -38,20 +38,68 @@ void addBites(Rows& rows, const MetricsState& m) {
   const int count = std::clamp<int>(m.biteCount, 0, kMaxBites);
   addSpread(rows, "bite_depth", "m", spread(m, 0, count, [](const BiteMetrics& b) { return b.depth; }));
   addSpread(rows, "bite_width", "m", spread(m, 0, count, [](const BiteMetrics& b) { return b.width; }));
-  addSpread(rows, "wall_share", "1", spread(m, 0, count, [](const BiteMetrics& b) { return b.wallShare; }));
   // The first bite has no predecessor to be spaced from.
   addSpread(rows, "bite_spacing", "m", spread(m, 1, count, [](const BiteMetrics& b) { return b.spacing; }));
   addSpread(rows, "entry_angle", "deg", spread(m, 0, count, [](const BiteMetrics& b) { return degrees(b.entryAngle); }));
 }
 
 /// Of a scene with two ends.
-void addJoin(Rows& rows, const JoinMetrics& join) {
-  if (join.rimGap == 0.0 && join.wallGap == 0.0 && join.crossings == 0) return;
+void addSeam(Rows& rows, const SeamMetrics& seam, int bites) {
+  const JoinMetrics& join = seam.join;
+  for (int i = 0; i < bites; ++i) rows.emplace_back("wall_share_" + std::to_string(i + 1) + "_1", seam.wallShare[i]);
+  rows.emplace_back("full_thickness_bites", seam.fullThickness);
   rows.emplace_back("crossings", join.crossings);
   rows.emplace_back("rim_gap_m", join.rimGap);
   rows.emplace_back("wall_gap_m", join.wallGap);
   rows.emplace_back("inversion_deg", 90.0 - degrees(join.inversion));
   rows.emplace_back("tail_difference_m", join.tailDifference);
+}
+
+void addSuture(Rows& rows, const MetricsState& m) {
+  rows.emplace_back("bites", m.biteCount);
+  rows.emplace_back("stitches_across_opening", m.acrossOpening);
+  rows.emplace_back("tears", m.tears);
+  addBites(rows, m);
+  rows.emplace_back("peak_stretch_1", m.peakStretch);
+  rows.emplace_back("peak_tension_n", m.peakTension);
+  rows.emplace_back("opening_area_m2", m.openingArea);
+  rows.emplace_back("opening_fraction_1", m.restOpeningArea > 0.0 ? m.openingArea / m.restOpeningArea : 1.0);
+  if (m.seam) addSeam(rows, *m.seam, std::clamp<int>(m.biteCount, 0, kMaxBites));
+}
+
+constexpr double kDegrees = 57.295779513082323;          // [deg/rad]
+
+Spread spread(double sum, double squares, int n) {       // unit of the values, squared
+  if (n <= 0) return {};
+  const double mean = sum / n;
+  return {mean, n > 1 ? std::sqrt(std::max(0.0, (squares - n * mean * mean) / (n - 1))) : 0.0};
+}
+
+/// Regularity tells teachers from students (Tang 2017, physics.md C3): spread over mean of the amplitudes, and spread of the troughs.
+void addStrokes(Rows& rows, const std::string& name, const std::string& unit, const Strokes& s, double scale) {   // scale [unit per m or rad]
+  const Spread size = spread(s.amplitude, s.amplitudeSquares, s.counted), trough = spread(s.trough, s.troughSquares, s.troughs);
+  rows.emplace_back(name + "_strokes", s.count);
+  rows.emplace_back(name + "_strokes_in_range", s.counted);
+  rows.emplace_back(name + "_amplitude_mean_" + unit, scale * size.mean);
+  rows.emplace_back(name + "_amplitude_cv_1", size.mean > 0.0 ? size.deviation / size.mean : 0.0);
+  rows.emplace_back(name + "_trough_sd_" + unit, scale * trough.deviation);
+}
+
+void addNeedling(Rows& rows, const NeedlingMetrics& m) {
+  rows.emplace_back("entry_offset_m", m.entryOffset);
+  rows.emplace_back("insertion_angle_deg", kDegrees * m.angle);
+  rows.emplace_back("deepest_m", m.deepest);
+  rows.emplace_back("depth_error_m", m.depthError);
+  rows.emplace_back("insertion_time_s", m.reachedAt > 0.0 ? m.reachedAt - m.enteredAt : 0.0);
+  rows.emplace_back("needling_time_s", m.left ? m.leftAt - m.enteredAt : 0.0);
+  rows.emplace_back("peak_insertion_force_n", m.peakForce);
+  rows.emplace_back("peak_pull_n", m.peakPull);
+  rows.emplace_back("peak_grasp_1", m.peakGrasp);
+  rows.emplace_back("peak_torque_nm", m.peakTorque);
+  rows.emplace_back("peak_withdrawal_speed_m_s", m.peakWithdrawal);
+  rows.emplace_back("turned_deg", kDegrees * m.turned);
+  addStrokes(rows, "twirl", "deg", m.twirls, kDegrees);
+  addStrokes(rows, "lift", "m", m.lifts, 1.0);
 }
 
 }  // namespace
@@ -66,17 +114,8 @@ Rows summarise(const MetricsState& m, double time) {     // time [s]
     rows.emplace_back(std::string("peak_force_") + side[h] + "_n", hand.peakForce);
     rows.emplace_back(std::string("mean_force_") + side[h] + "_n", hand.forceSteps > 0.0 ? hand.forceSum / hand.forceSteps : 0.0);
   }
-  rows.emplace_back("bites", m.biteCount);
-  rows.emplace_back("stitches_across_opening", m.acrossOpening);
-  rows.emplace_back("tears", m.tears);
-  addBites(rows, m);
-  rows.emplace_back("peak_stretch_1", m.peakStretch);
-  rows.emplace_back("peak_tension_n", m.peakTension);
-  rows.emplace_back("opening_area_m2", m.openingArea);
-  rows.emplace_back("opening_fraction_1", m.restOpeningArea > 0.0 ? m.openingArea / m.restOpeningArea : 1.0);
-  rows.emplace_back("full_thickness_bites", m.fullThickness);
-  rows.emplace_back("thread_cuts", m.threadCuts);
-  addJoin(rows, m.join);
+  if (m.needling) addNeedling(rows, *m.needling);
+  else addSuture(rows, m);
   return rows;
 }
 

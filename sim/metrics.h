@@ -1,11 +1,13 @@
 #pragma once
 /// Outcome and motion metrics, accumulated step by step (physics.md C1). `MetricsState` is part of `State`.
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "sim/join.h"
+#include "sim/needling/strokes.h"
 #include "sim/types.h"
 
 namespace halsted {
@@ -24,10 +26,35 @@ struct BiteMetrics {
   double spacing = 0.0;                        // [m] from the previous exit
   double entryAngle = 0.0;                     // [1] cosine of the angle between needle tangent and inward normal at entry
   double width = 0.0;                          // [m] entry to exit
-  double wallShare = 0.0;                      // [1] deepest point of the needle's way: 0 serosa, 1 mucosa
+};
+
+/// Acupuncture (physics.md C3). Of the needle's first stay in the skin, until it has left.
+struct NeedlingMetrics {
+  bool entered = false, left = false;
+  double entryOffset = 0.0;                    // [m] from the acupoint to where the skin was pierced
+  double angle = 0.0;                          // [rad] between needle and skin as it went in
+  double deepest = 0.0;                        // [m] of the tip along the needle
+  double depthError = 0.0;                     // [m] deepest beyond the textbook depth; negative: short of it
+  double enteredAt = 0.0, reachedAt = 0.0, leftAt = 0.0;   // [s] skin pierced; depth first within 1 mm; out again
+  double peakForce = 0.0;                      // [N] while going in
+  double peakPull = 0.0;                       // [N] with which the tissue held the needle back on its way out
+  double peakGrasp = 1.0;                      // [1]
+  double peakTorque = 0.0;                     // [N m]
+  double peakWithdrawal = 0.0;                 // [m/s] fastest way out
+  Strokes lifts, twirls;                       // [m], [rad]
+  double turned = 0.0, lastTurned = 0.0;       // [rad] all rotation, both ways; net rotation at the last step
 };
 
 inline constexpr int kMaxBites = 24;
+
+/// Of two ends that are being joined.
+struct SeamMetrics {
+  JoinMetrics join;                            // as last looked at
+  std::array<double, kMaxBites> wallShare{};   // [1] per bite: deepest point of the needle's way, 0 serosa, 1 mucosa
+  std::int32_t fullThickness = 0;              // bites that went through the mucosa
+  double deepestTip = 0.0;                     // [1] share of the wall that the needle's tip has reached since the last bite
+  std::int32_t lastBowel = 0;                  // of the last bite
+};
 
 struct MetricsState {
   std::array<HandMetrics, kHands> hands;
@@ -40,11 +67,8 @@ struct MetricsState {
   double peakTension = 0.0;                    // [N]
   double openingArea = 0.0;                    // [m^2] now
   double restOpeningArea = 0.0;                // [m^2] at the first step
-  JoinMetrics join;                            // of two ends that are being joined
-  std::int32_t fullThickness = 0;              // bites that went through the mucosa
-  double deepestTip = 0.0;                     // [1] share of the wall that the needle's tip has reached since the last bite
-  std::int32_t threadCuts = 0;                 // with blades, not torn
-  std::int32_t lastBowel = 0;                  // of the last bite
+  std::optional<SeamMetrics> seam;             // of two ends that are being joined
+  std::optional<NeedlingMetrics> needling;     // of a body that is needled; then nothing but the hands counts above
 };
 
 /// Name (with its unit as a suffix) and value, for `replay --json` and reports; read on any thread that owns a copy.  time [s]

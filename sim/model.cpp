@@ -18,27 +18,34 @@ void checkTool(const ToolParams& t) {
   positive(t.couplingStiffness, "coupling_stiffness");
 }
 
-}  // namespace
-
-Model buildModel(const SimParams& params, TetMesh mesh, std::vector<ProcedureStep> procedure) {
+void buildSuture(const SimParams& params, TetMesh mesh, Model& m) {
   if (mesh.rim.size() < 3) throw std::invalid_argument("anatomy: the mesh has no open rim");
-  if (procedure.size() > kMaxProcedureSteps) throw std::invalid_argument("procedure: more steps than fit");
   for (const ToolParams& t : params.tools) checkTool(t);
   if (!(params.anvil.radius >= 0.0)) throw std::invalid_argument("anvil.radius must not be negative");
-  Model m;
-  m.params = params;
   m.tissue = buildTissue(mesh, params);
   m.surface = buildSurface(mesh);
   m.strand = buildStrand(params);
   m.bowels = findBowels(mesh);
   m.join = buildJoin(mesh, m.bowels, m.surface);
   m.mesh = std::move(mesh);
-  m.procedure = std::move(procedure);
   m.restOpening = enclosedArea(m.bowels.rim[0], m.mesh.vertices);
+}
+
+}  // namespace
+
+Model buildModel(const SimParams& params, Anatomy anatomy, std::vector<ProcedureStep> procedure) {
+  if (procedure.size() > kMaxProcedureSteps) throw std::invalid_argument("procedure: more steps than fit");
+  Model m;
+  m.params = params;
+  m.procedure = std::move(procedure);
+  switch (params.model) {
+    case ModelKind::kSuture: buildSuture(params, std::move(anatomy.mesh), m); break;
+    case ModelKind::kNeedling: m.body = buildBody(params, anatomy.body); break;
+  }
   return m;
 }
 
-int tissueParticles(const Model& m) { return static_cast<int>(m.mesh.vertices.size()); }
+int tissueParticles(const Model& m) { return m.body ? netPoints(m.body->needling) : static_cast<int>(m.mesh.vertices.size()); }
 int threadNodes(const Model& m) { return m.strand.nodes; }
 
 }  // namespace halsted

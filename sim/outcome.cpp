@@ -29,16 +29,16 @@ double openShare(const Model& m, std::span<const Vec3> x) {
 
 /// Raises the pressure until something gives.
 void raisePressure(const Model& m, const LeakTest& test, State& s, Outcome& out) {
-  const StepInput input = stillHands(s);
+  StepInput input = stillHands(s);
   StepOutput seen;
   const std::int32_t tears = s.metrics.tears;
   const double dt = m.params.dt;               // [s]
   for (double time = 0.0; out.leakPressure < test.most; time += dt) {
     out.leakPressure = std::clamp((time - test.settle) * test.rate, 0.0, test.most);
-    s.lumenPressure = out.leakPressure * kPascalPerMmhg;
+    input.lumenPressure = out.leakPressure * kPascalPerMmhg;
     step(m, input, s, seen);
     if (s.metrics.tears > tears) { out.end = LeakEnd::kTear; return; }
-    if (s.metrics.join.wallGap <= test.gap) continue;
+    if (s.metrics.seam->join.wallGap <= test.gap) continue;
     out.end = out.leakPressure > 0.0 ? LeakEnd::kGap : LeakEnd::kOpen;
     if (time > test.settle) return;            // what is open while the tissue settles may still close
   }
@@ -49,9 +49,9 @@ void raisePressure(const Model& m, const LeakTest& test, State& s, Outcome& out)
 
 Outcome testOutcome(const Model& m, State s, const LeakTest& test) {
   Outcome out;
-  measureJoin(m, s);
-  const JoinMetrics& join = s.metrics.join;
-  if (!m.join.present() || join.crossings == 0) return out;
+  if (!s.metrics.seam) return out;
+  const JoinMetrics join = s.metrics.seam->join = measureJoin(m, s);
+  if (join.crossings == 0) return out;
   out.tested = true;
   out.rimGap = join.rimGap;
   out.wallGap = join.wallGap;
@@ -61,13 +61,13 @@ Outcome testOutcome(const Model& m, State s, const LeakTest& test) {
   return out;
 }
 
-void gatherPressure(const Model& m, const State& s, std::vector<Vec3>& nodal) {
-  if (!(s.lumenPressure > 0.0)) return;
+void gatherPressure(const Model& m, const State& s, double pressure, std::vector<Vec3>& nodal) {
+  if (!(pressure > 0.0)) return;
   for (std::size_t f = 0; f < m.surface.triangles.size(); ++f) {
     if (m.mesh.triangleLayer[f] != 1) continue;
     const auto& v = m.surface.triangles[f];
     const auto& x = s.tissue.position;
-    const Vec3 push = -s.lumenPressure / 6.0 * (x[v[1]] - x[v[0]]).cross(x[v[2]] - x[v[0]]);   // [N] on each corner, away from the lumen
+    const Vec3 push = -pressure / 6.0 * (x[v[1]] - x[v[0]]).cross(x[v[2]] - x[v[0]]);   // [N] on each corner, away from the lumen
     for (int corner : v) nodal[corner] += push;
   }
 }

@@ -35,8 +35,8 @@ struct Outcome {
 /// of the circumference counts as closed.
 Outcome testOutcome(const Model&, State, const LeakTest& = {});
 
-/// Adds the load of `State::lumenPressure` on the lumen's wall to the tissue's nodal forces.  [N]
-void gatherPressure(const Model&, const State&, std::vector<Vec3>& nodal);
+/// Adds the load of a pressure on the lumen's wall to the tissue's nodal forces.  [N]
+void gatherPressure(const Model&, const State&, double pressure, std::vector<Vec3>& nodal);   // [Pa]
 
 std::vector<std::pair<std::string, double>> summarise(const Outcome&);
 

@@ -4,9 +4,12 @@
 #include <string>
 
 #include "sim/exchange.h"
+#include "sim/needling/needling_params.h"
 #include "sim/types.h"
 
 namespace halsted {
+
+enum class ModelKind : std::uint8_t { kSuture, kNeedling };   // sim.model = "suture" | "needling"
 
 enum class TissueSolver : std::uint8_t { kProjective, kXpbd, kShapeMatching };   // tissue.solver
 
@@ -62,7 +65,7 @@ struct NeedleParams {                          // [needle]
 };
 
 struct ToolParams {                            // [tool.left], [tool.right]
-  ToolKind kind = ToolKind::kNeedleDriver;     // kind = "needle_driver" | "forceps"
+  ToolKind kind = ToolKind::kNeedleDriver;     // kind = "needle_driver" | "forceps" | "acupuncture_needle" | "finger"
   double jawLength = 12e-3;                    // jaw_length [m]
   double jawRadius = 1.2e-3;                   // jaw_radius [m]
   double shaftRadius = 2.2e-3;                 // shaft_radius [m]
@@ -85,6 +88,12 @@ struct AnatomyParams {                         // [anatomy]
   int around = 34, along = 18;                 // around, along [1] grid of one layer; two layers
   std::string layout = "one_end";              // layout = "one_end" | "two_ends" | "end_to_end"
   double gap = 8e-3;                           // gap [m] between the walls of two ends
+  // A body that is needled:
+  std::string body;                            // body: table of its acupoints, scenes/NAME/bodies/BODY.toml; empty = the mesh's own, or the slab
+  std::string point;                           // point: the acupoint to be needled; empty = the table's first
+  std::string layersFrom;                      // layers_from: a CT's mask of subcutaneous fat, its muscle beside it: they give the thicknesses
+  double layersAngle = 0.0;                    // layers_angle_degrees [deg] where on the CT's outline: 0 the front, 90 the patient's left
+  int order = 15;                              // order [1] of the harmonics
 };
 
 struct RodParams {                             // [anvil]
@@ -94,6 +103,7 @@ struct RodParams {                             // [anvil]
 };
 
 struct SimParams {
+  ModelKind model = ModelKind::kSuture;        // sim.model
   double dt = 1e-3;                            // sim.dt [s]
   Vec3 gravity = Vec3(0, -9.81, 0);            // sim.gravity [m/s^2]
   std::uint64_t seed = 1;                      // sim.seed
@@ -104,6 +114,7 @@ struct SimParams {
   ToolParams tools[kHands];
   AnatomyParams anatomy;
   RodParams anvil;
+  NeedlingParams needling;                     // [needling]; its keys stand in scenes/scene_fields_needling.cpp
 };
 
 }  // namespace halsted

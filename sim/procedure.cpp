@@ -8,7 +8,9 @@ constexpr std::array<const char*, kQuantities> kNames = {
     "peak_tension",  "opening_fraction", "rim_to_anvil", "tails_held",            "peak_force",   "tears",
     "crossings",     "rim_gap",      "wall_gap",         "inversion",             "tail_difference", "wall_share", "thread_cuts", "full_thickness",
     "throws",        "knot_locks",   "wrong_throws",     "first_turns",           "knot_gap",     "knot_size",  "tool_turns",
-    "thread_breaks"};
+    "thread_breaks",
+    "tip_to_point",  "finger_to_point", "skin_pressed",    "entry_offset",          "needle_depth", "depth_error", "angle_error",
+    "layers_punctured", "twirls",       "lifts",           "needle_grasp",          "withdrawal_speed", "needle_out"};
 static_assert(kNames.back() != nullptr, "every quantity has a name");
 
 bool holds(const Condition& condition, const Observation& seen) {

@@ -42,6 +42,19 @@ enum class Quantity : std::uint8_t {
   kKnotSize,               // knot_size                [m] thread within the knot: a loose loop is long
   kToolTurns,              // tool_turns               [1] turns of thread about the right tool, of either sense
   kThreadBreaks,           // thread_breaks            [1] places where the thread has parted
+  kTipToPoint,             // tip_to_point             [m] needle's tip from the acupoint
+  kFingerToPoint,          // finger_to_point          [m] pressing finger from the acupoint
+  kSkinPressed,            // skin_pressed             [m] skin pressed in by the finger
+  kEntryOffset,            // entry_offset             [m] where the skin was pierced, from the acupoint; 0 before
+  kNeedleDepth,            // needle_depth             [m] of the tip below the skin, along the needle; 0 outside
+  kDepthError,             // depth_error              [m] beyond the acupoint's depth; negative: short of it
+  kAngleError,             // angle_error              [rad] between needle and skin against the acupoint's angle
+  kLayersPunctured,        // layers_punctured         [1] skin, fat, muscle
+  kTwirls,                 // twirls                   [1] to and fro within the range of a twirl, since the skin was pierced
+  kLifts,                  // lifts                    [1] up and down within the range of lifting and thrusting
+  kNeedleGrasp,            // needle_grasp             [1] friction over that of a needle never turned
+  kWithdrawalSpeed,        // withdrawal_speed         [m/s] of the needle on its way out; 0 outside
+  kNeedleOut,              // needle_out               [1] 1 once the needle has been in and is out again
   kCount
 };
 inline constexpr int kQuantities = static_cast<int>(Quantity::kCount);

@@ -2,10 +2,12 @@
 /// Everything a step changes. One field list (`visitFields`) serves hash, save, load and diff.
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "sim/exchange.h"
 #include "sim/metrics.h"
+#include "sim/needling/needling.h"
 #include "sim/procedure.h"
 #include "sim/strand/strand_state.h"
 #include "sim/suture/knot_state.h"
@@ -27,7 +29,7 @@ struct State {
   std::array<ToolState, kHands> tools;
   ProcedureState procedure;
   MetricsState metrics;
-  double lumenPressure = 0.0;                  // [Pa] on the lumen's wall; only a leak test raises it (sim/outcome.h)
+  std::optional<NeedlingState> needling;       // of a body that is needled; then tissue and strand are empty
   StepWork work;                               // scratch: not hashed, saved or compared
 };
 

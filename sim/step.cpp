@@ -2,6 +2,7 @@
 
 #include "sim/contact/tissue_contact.h"
 #include "sim/measure.h"
+#include "sim/needling/needling_scene.h"
 #include "sim/outcome.h"
 #include "sim/suture/holes.h"
 #include "sim/suture/knot_watch.h"
@@ -16,20 +17,22 @@
 namespace halsted {
 namespace {
 
+constexpr double kMostPressure = 1e5;          // [Pa] ten times what tears a bowel
+
 void beginOutput(StepOutput& out) {
   out.eventCount = out.droppedEvents = 0;
   for (LocalContact& c : out.contact) c.puncture = false;
 }
 
 /// Everything that pulled on the tissue at the end of the last step still does.
-void carryForces(const Model& m, State& s) {
+void carryForces(const Model& m, double lumenPressure, State& s) {   // [Pa]
   std::fill(s.work.force.begin(), s.work.force.end(), Vec3::Zero());
   std::fill(s.work.change.begin(), s.work.change.end(), Vec3::Zero());
   gatherHoleForces(m, s.strand, s.work.force);
   gatherContactForces(m, s.strand, s.work.force);
   gatherTouchForces(m, s, s.work.force);
   gatherTissueContact(m, s, s.work.force);
-  gatherPressure(m, s, s.work.force);
+  gatherPressure(m, s, lumenPressure, s.work.force);
 }
 
 /// A sample that is not a number moves nothing: the tool stays where it was.
@@ -42,8 +45,15 @@ ToolSample safeSample(const ToolSample& sample, const ToolState& t) {
   return safe;
 }
 
+StepInput safeInput(const StepInput& input, const State& s) {
+  StepInput safe = input;
+  if (!(input.lumenPressure > 0.0 && input.lumenPressure < kMostPressure)) safe.lumenPressure = 0.0;
+  for (int hand = 0; hand < kHands; ++hand) safe.tools[hand] = safeSample(input.tools[hand], s.tools[hand]);
+  return safe;
+}
+
 void moveTools(const Model& m, const StepInput& input, State& s, StepOutput& out) {
-  for (int hand = 0; hand < kHands; ++hand) moveTool(m, hand, safeSample(input.tools[hand], s.tools[hand]), s, out);
+  for (int hand = 0; hand < kHands; ++hand) moveTool(m, hand, input.tools[hand], s, out);
 }
 
 bool solveThread(const Model& m, const KnottingMotion& motion, State& s, StepOutput& out) {
@@ -83,11 +93,8 @@ void stepProcedure(const Model& m, State& s, StepOutput& out) {
   pushEvent(out, {s.step, kind, -1, before, s.step * m.params.dt});
 }
 
-}  // namespace
-
-void step(const Model& m, const StepInput& input, State& s, StepOutput& out) {
-  beginOutput(out);
-  carryForces(m, s);
+void stepSuture(const Model& m, const StepInput& input, State& s, StepOutput& out) {
+  carryForces(m, input.lumenPressure, s);
   predictTissue(m.tissue, s.work.force, s.tissue, s.work.tissue);
   const std::array<Pose, kHands> before{s.tools[0].proxy, s.tools[1].proxy};
   const auto solidsBefore = worldSolids(m, s);
@@ -102,11 +109,23 @@ void step(const Model& m, const StepInput& input, State& s, StepOutput& out) {
   solveTissueContact(m, s);
   answerChange(m, s);
   finishTissue(m.tissue, s.tissue, s.work.tissue);
+  for (int hand = 0; hand < kHands; ++hand) writeLocalContact(m, s, hand, input.tools[hand], out.contact[hand]);
+}
+
+}  // namespace
+
+void step(const Model& m, const StepInput& given, State& s, StepOutput& out) {
+  const StepInput input = safeInput(given, s);
+  beginOutput(out);
+  switch (m.params.model) {
+    case ModelKind::kSuture: stepSuture(m, input, s, out); break;
+    case ModelKind::kNeedling: stepNeedling(m, input, s, out); break;
+  }
   ++s.step;
   watchKnots(m, s, out);
-  measure(m, s, out);
+  measure(m, input, s, out);
   stepProcedure(m, s, out);
-  for (int hand = 0; hand < kHands; ++hand) writeLocalContact(m, s, hand, input.tools[hand], out.contact[hand]);
+  for (LocalContact& c : out.contact) c.step = s.step;
 }
 
 }  // namespace halsted

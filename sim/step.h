@@ -10,6 +10,7 @@ namespace halsted {
 
 struct StepInput {
   std::array<ToolSample, kHands> tools;
+  double lumenPressure = 0.0;                  // [Pa] on the lumen's wall; only a leak test raises it (sim/outcome.h)
   Command command;
 };
 

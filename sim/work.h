@@ -26,14 +26,26 @@ struct HoleWork {
   std::array<Vec3, StrandState::kMaxHoles> point{};             // [m] the hole in the predicted tissue
 };
 
+/// Used by sim/contact: all pairs of a turn's triangles that can be near while no vertex goes farther than kPairDrift from `place`.
+/// The one thing here that outlives a step: it speeds a search up and never changes what the search finds (sim/contact/pair_search.h).
+struct NearPairs {
+  static constexpr int kMost = 4096;
+  bool whole = false, used = false;            // holds all of them; has served since it was made
+  int count = 0;
+  std::vector<std::int32_t> vertex, triangle;  // ascending triangles
+  std::vector<Vec3> place;                     // [m] the surface's vertices at the last search through the cells
+};
+
 /// Used by sim/contact: the surface's vertices in a grid of cells, and the pairs of the triangles whose turn it is as the last round
 /// left them.
 struct SelfWork {
   static constexpr int kAxis = 16, kCells = kAxis * kAxis * kAxis;
+  static constexpr int kRound = 8;             // [1] steps after which every triangle has been looked at
+  std::array<NearPairs, kRound> nearby;        // per turn
   std::array<std::int32_t, kCells + 1> start{};
   std::vector<std::int32_t> cell, item;        // per surface vertex: its cell; vertices sorted by cell
-  std::vector<Vec3> place;                     // [m] positions of `item`
-  std::vector<std::int32_t> ring;              // per vertex: the last triangle looked at of which it is a neighbour
+  std::vector<double> place;                   // [m] x of all `item`, then y, then z; a little longer, to be read four at a time
+  std::vector<std::int32_t> ring;              // per vertex: the last triangle of which it is a neighbour, or that it stays in a pair with
   int count = 0;
   std::array<std::int32_t, TissueState::kMaxPairs> vertex{}, triangle{};
   std::array<double, TissueState::kMaxPairs> force{};   // [N]

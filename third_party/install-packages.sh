@@ -8,7 +8,7 @@ packages="
   libeigen3-dev
   libosmesa6-dev libgl-dev libglfw3-dev libimgui-dev fonts-dejavu-core
   libspdlog-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
-  libsqlite3-dev libpng-dev ffmpeg
+  libsqlite3-dev libpng-dev zlib1g-dev ffmpeg
   pkg-config libusb-1.0-0-dev umockdev libumockdev-dev
   libgtest-dev libgmock-dev libbenchmark-dev
   clang libclang-rt-14-dev

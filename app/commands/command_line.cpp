@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/commands/commands.h"
+#include "app/commands/usage_error.h"
 #include "app/errors.h"
 #include "app/version.h"
 
@@ -81,12 +82,12 @@ void addTrain(CLI::App& app, CommandLine& line) {
   command->add_option("--trainee", train.trainee, "name kept in the recording");
   command->add_option("--record", train.record, "write a session file");
   command->add_flag("--headless", train.headless, "the same threads without a window");
-  command->add_option("--seconds", train.seconds, "end after this much wall-clock time")->check(CLI::PositiveNumber);
+  command->add_option("--seconds", train.seconds, "end after this much wall-clock time")->check(CLI::Range(1e-3, 1e6));
   command->add_option("--size", line.size, "WIDTHxHEIGHT in pixels (default 1280x720)");
   command->add_flag("--json", train.json, "print the outcome as JSON");
   command->add_flag("--verbose", train.verbose, "log events and skipped ticks");
   command->footer("In the window: mouse moves the hand, wheel nearer and farther, right drag turns, left button or space closes the\n"
-                  "jaws, F1 help, Esc ends.\n"
+                  "jaws, C cuts a body open, F1 help, Esc ends.\n"
                   "Example: halsted train purse_string --headless --seconds 10 --json");
 }
 
@@ -94,8 +95,13 @@ void addDevices(CLI::App& app, CommandLine& line) {
   CLI::App* command = app.add_subcommand("devices", "which haptic devices are attached, what can drive them, and why not");
   command->add_option("--test", line.devices.test, "a bounded force check on one: falcon, open, vendor or virtual, like --left of train");
   command->add_option("--firmware", line.devices.firmware, "firmware file for a Falcon that has none (or HALSTED_FALCON_FIRMWARE)");
+  command->add_flag("--bench", line.devices.bench,
+                    "no device: force quality of the servo loop in numbers with units and bounds (stability, energy, buzz, rates, faults, jitter);\n"
+                    "some minutes; exit code 1 when a bound is missed; haptics/README.md explains the rows")
+      ->excludes("--test");
   command->add_flag("--json", line.devices.json, "print JSON");
-  command->footer("The check pushes with 1.5 N along each axis while you hold the grip loosely.\nExample: halsted devices --test falcon");
+  command->footer("The check pushes with 1.5 N along each axis while you hold the grip loosely.\n"
+                  "Example: halsted devices --test falcon\nExample: halsted devices --bench --json");
 }
 
 void addBench(CLI::App& app, CommandLine& line) {
@@ -156,7 +162,9 @@ int runCommandLine(int argc, char** argv) {
     app.parse(argc, argv);
     return dispatch(app, line);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kBadInput;
+    if (error.get_exit_code() == 0) return app.exit(error);      // --help, --version
+    std::fprintf(stderr, "halsted: %s\n", usageLine(app, error).c_str());
+    return kBadInput;
   } catch (const scenes::InputError& error) {
     return report(error, kBadInput);
   } catch (const SystemFault& error) {

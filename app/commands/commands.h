@@ -18,6 +18,7 @@ struct BenchOptions {
 struct DevicesOptions {
   std::string test;                            // the device to push: falcon, open, vendor, virtual, with a name; empty: list only
   std::string firmware;                        // file for a Falcon that has none
+  bool bench = false;                          // force quality in numbers
   bool json = false;
 };
 

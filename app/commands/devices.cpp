@@ -1,8 +1,10 @@
 /// `halsted devices`: what is attached, what can drive it, and in one line each what keeps it from working and what to do.
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
+#include "app/commands/devices_bench.h"
 #include "app/errors.h"
 #include "app/force_check.h"
 #include "app/hands.h"
@@ -30,7 +32,22 @@ std::string idText(const haptics::UsbDeviceInfo& usb) {
   return text;
 }
 
+/// What keeps a device from working that its user's hand or a firmware file would not mend: exit code 3.
+bool isFault(DeviceProblem problem) {
+  switch (problem) {
+    case DeviceProblem::kUnplugged:
+    case DeviceProblem::kNoPermission:
+    case DeviceProblem::kBusy:
+    case DeviceProblem::kNotAnswering:
+    case DeviceProblem::kFirmwareRefused:
+    case DeviceProblem::kTransferFailed:
+    case DeviceProblem::kMemoryShort: return true;
+    default: return false;
+  }
+}
+
 void explain(ordered_json& row, DeviceProblem problem) {
+  row["fault"] = isFault(problem);
   row["problem"] = problem == DeviceProblem::kNone ? "" : haptics::problemText(problem);
   row["remedy"] = haptics::remedyText(problem);
 }
@@ -66,7 +83,10 @@ void lookAtTouch(const haptics::UsbDeviceInfo& usb, ordered_json& row) {
   row["firmware"] = identity.firmware;
   if (!identity.serial.empty()) row["serial"] = identity.serial;
   explain(row, DeviceProblem::kServoNotPublic);
-  if (status != haptics::UsbStatus::kOk) row["note"] = std::string(haptics::problemText(problemOfOpening(status))) + "; " + haptics::remedyText(problemOfOpening(status));
+  if (status == haptics::UsbStatus::kOk) return;
+  const DeviceProblem problem = problemOfOpening(status);
+  row["note"] = std::string(haptics::problemText(problem)) + "; " + haptics::remedyText(problem);
+  row["fault"] = isFault(problem);
 }
 
 ordered_json rowOf(const haptics::UsbDeviceInfo& usb, const haptics::KnownDevice& known, const std::string& firmware) {
@@ -154,11 +174,14 @@ int test(const DevicesOptions& options) {
 }  // namespace
 
 int devices(const DevicesOptions& options) {
+  if (options.bench) return benchDevices(options.json);
   if (!options.test.empty()) return test(options);
   const ordered_json found = survey(options.firmware);
   if (options.json) std::printf("%s\n", found.dump(2).c_str());
   else print(found);
-  return kDone;
+  const ordered_json& attached = found["attached"];
+  const bool faulty = std::any_of(attached.begin(), attached.end(), [](const ordered_json& row) { return row["fault"].get<bool>(); });
+  return faulty ? kSystemFault : kDone;
 }
 
 }  // namespace halsted::app

@@ -11,10 +11,10 @@ namespace halsted::app {
 int listScenes(bool json) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const std::string& folder : scenes::sceneFolders()) {
-    const scenes::SceneFile scene = scenes::readScene(folder, {});
-    const TetMesh mesh = scenes::buildAnatomy(scene);
-    list.push_back({{"name", scene.name}, {"title", scene.title}, {"technique", scene.technique}, {"particles", mesh.vertices.size()},
-                    {"tets", mesh.tets.size()}, {"thread_nodes", scene.params.thread.nodes}});
+    const Scenario scenario = scenarioFromScene(folder, {}, {});
+    const scenes::SceneFile& scene = scenario.scene;
+    list.push_back({{"name", scene.name}, {"title", scene.title}, {"technique", scene.technique}, {"particles", tissueParticles(scenario.model)},
+                    {"tets", scenario.model.mesh.tets.size()}, {"thread_nodes", threadNodes(scenario.model)}});
   }
   if (json) {
     std::printf("%s\n", list.dump(2).c_str());

@@ -63,6 +63,7 @@ void runWindow(const TrainOptions& options, const Scenario& scenario, LiveSessio
     session.links().mouseTarget.back() = window.target();
     session.links().mouseTarget.publish();
     session.links().helpVisible.store(window.helpVisible());
+    session.links().otherView.store(window.otherView());
     if (session.links().frame.acquire()) window.show(session.links().frame.front());
     if (nothingLeft(scenario, session)) break;
   }
@@ -90,6 +91,7 @@ std::string liveMembers(const LiveOutcome& outcome) {
   json["physics"] = {{"rate_hz", rate(outcome.physics.steps, outcome.physics.seconds)}, {"late_steps", outcome.physics.lateSteps},
                      {"paused_s", outcome.physics.pausedSeconds}};
   json["render"] = {{"fps", rate(outcome.render.frames, outcome.render.seconds)},
+                    {"start_up_s", outcome.render.startSeconds},
                     {"frame_ms", {{"p50", frame.p50}, {"p99", frame.p99}}},
                     {"frame_cpu_ms", {{"p50", cpu.p50}, {"p99", cpu.p99}}}};
   json["recorder"] = {{"steps", outcome.recorder.stepsRecorded}, {"dropped_records", outcome.recorder.dropped}};
@@ -109,7 +111,8 @@ std::string liveText(const LiveOutcome& outcome) {
   text += "  physics " + number("%.1f Hz", rate(outcome.physics.steps, outcome.physics.seconds)) + ", late steps " +
           std::to_string(outcome.physics.lateSteps) + "; pictures " + number("%.1f Hz", rate(outcome.render.frames, outcome.render.seconds)) +
           ", p50 " + number("%.1f ms", outcome.render.frameTimes.percentiles(1e3).p50) + ", CPU " +
-          number("%.1f ms", outcome.render.frameCpu.percentiles(1e3).p50) + "; most memory held " + number("%.0f MB", peakResidentMegabytes()) + "\n";
+          number("%.1f ms", outcome.render.frameCpu.percentiles(1e3).p50) +
+          ", renderer start-up " + number("%.2f s", outcome.render.startSeconds) + "; most memory held " + number("%.0f MB", peakResidentMegabytes()) + "\n";
   return text;
 }
 
@@ -117,19 +120,15 @@ LiveOptions liveOptions(const TrainOptions& options) {
   LiveOptions live;
   live.record = options.record;
   live.trainee = options.trainee;
-  live.render = {options.width, options.height, options.headless ? 30.0 : 60.0, !options.headless};
+  live.render = {options.width, options.height, 60.0, !options.headless};
   live.measureBareLoop = options.headless;
   return live;
 }
 
-/// What was asked for. Where nothing was, hardware that is attached: the first for the right hand, the second for the left.
+/// What was asked for; where nothing was, hardware that is attached.
 std::array<DeviceChoice, kHands> chosenDevices(const TrainOptions& options) {
   std::string left = options.left, right = options.right;
-  if (left.empty() && right.empty()) {
-    const std::vector<std::string> attached = attachedHardware();
-    if (!attached.empty()) right = attached[0];
-    if (attached.size() > 1) left = attached[1];
-  }
+  if (left.empty() || right.empty()) takeAttached(attachedHardware(), left, right);
   std::array<DeviceChoice, kHands> devices{parseDevice("--left", left.empty() ? "virtual" : left),
                                            parseDevice("--right", !right.empty() ? right : options.headless ? "virtual" : "mouse")};
   for (DeviceChoice& device : devices) device.hardware.firmware = options.firmware;

@@ -1,5 +1,6 @@
 #include "app/session/mesh_codec.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -46,10 +47,7 @@ bool indicesBelow(const std::vector<int>& list, int limit) {
   return true;
 }
 
-}  // namespace
-
-std::vector<std::uint8_t> encodeMesh(const TetMesh& mesh) {
-  std::vector<std::uint8_t> bytes;
+void encodeMesh(const TetMesh& mesh, std::vector<std::uint8_t>& bytes) {
   append(mesh.vertices, bytes);
   append(mesh.tets, bytes);
   append(mesh.surface, bytes);
@@ -57,13 +55,12 @@ std::vector<std::uint8_t> encodeMesh(const TetMesh& mesh) {
   append(mesh.uv, bytes);
   append(mesh.fixed, bytes);
   append(mesh.rim, bytes);
-  return bytes;
 }
 
-bool decodeMesh(std::span<const std::uint8_t> bytes, TetMesh& mesh, std::string& error) {
+bool decodeMesh(std::span<const std::uint8_t>& bytes, TetMesh& mesh, std::string& error) {
   const bool whole = take(bytes, mesh.vertices) && take(bytes, mesh.tets) && take(bytes, mesh.surface) &&
                      take(bytes, mesh.triangleLayer) && take(bytes, mesh.uv) && take(bytes, mesh.fixed) && take(bytes, mesh.rim);
-  if (!whole || !bytes.empty()) { error = "the anatomy is cut short"; return false; }
+  if (!whole) { error = "the anatomy is cut short"; return false; }
   const int count = static_cast<int>(mesh.vertices.size());
   for (const Vec3& vertex : mesh.vertices)
     if (!vertex.allFinite()) { error = "the anatomy has a vertex that is not finite"; return false; }
@@ -72,6 +69,82 @@ bool decodeMesh(std::span<const std::uint8_t> bytes, TetMesh& mesh, std::string&
                        indicesBelow(mesh.rim, count) && indicesBelow(mesh.triangleLayer, 3);
   if (!consistent || !inRange) { error = "the anatomy refers to vertices that it does not have"; return false; }
   return true;
+}
+
+/// A text as one number a letter: few and short.
+std::vector<int> letters(const std::string& text) { return {text.begin(), text.end()}; }
+bool takeText(std::span<const std::uint8_t>& bytes, std::string& text) {
+  std::vector<int> codes;
+  if (!take(bytes, codes)) return false;
+  for (int code : codes) text += static_cast<char>(code);
+  return true;
+}
+
+void encodeBody(const Body& body, std::vector<std::uint8_t>& bytes) {
+  append(std::vector<int>{body.order, body.target, static_cast<int>(body.points.size())}, bytes);
+  for (const auto& surface : body.surface) append(surface, bytes);
+  append(std::vector<double>(body.thickness.begin(), body.thickness.end()), bytes);   // [m]
+  for (const Acupoint& point : body.points) {
+    append(letters(point.id), bytes);
+    append(letters(point.name), bytes);
+    append(std::vector<Vec3>{point.unit, point.lean}, bytes);
+    append(std::vector<double>{point.depth, point.angle}, bytes);   // [m], [rad]
+  }
+}
+
+bool finite(const std::vector<double>& values) {   // any unit
+  for (double value : values)
+    if (!std::isfinite(value)) return false;
+  return true;
+}
+
+bool takePoint(std::span<const std::uint8_t>& bytes, Acupoint& point) {
+  std::vector<Vec3> ways;                      // [1]
+  std::vector<double> numbers;                 // [m], [rad]
+  if (!takeText(bytes, point.id) || !takeText(bytes, point.name) || !take(bytes, ways) || !take(bytes, numbers)) return false;
+  if (ways.size() != 2 || numbers.size() != 2 || !finite(numbers) || !ways[0].allFinite() || !ways[1].allFinite()) return false;
+  point.unit = ways[0];
+  point.lean = ways[1];
+  point.depth = numbers[0];
+  point.angle = numbers[1];
+  const double size = point.unit.squaredNorm();   // [1]
+  return size > 0.99 && size < 1.01;
+}
+
+bool takeBody(std::span<const std::uint8_t>& bytes, Body& body) {
+  constexpr int kMostPoints = 1000, kHighestOrder = 64;
+  std::vector<int> counts;
+  if (!take(bytes, counts) || counts.size() != 3 || counts[0] < 1 || counts[0] > kHighestOrder || counts[2] < 1 || counts[2] > kMostPoints) return false;
+  body.order = counts[0];
+  body.target = counts[1];
+  for (auto& surface : body.surface) {
+    if (!take(bytes, surface) || surface.size() != static_cast<std::size_t>((body.order + 1) * (body.order + 1))) return false;
+    for (const Vec3& c : surface)
+      if (!c.allFinite()) return false;
+  }
+  std::vector<double> thickness;               // [m]
+  if (!take(bytes, thickness) || thickness.size() != body.thickness.size() || !finite(thickness)) return false;
+  std::copy(thickness.begin(), thickness.end(), body.thickness.begin());
+  body.points.resize(counts[2]);
+  for (Acupoint& point : body.points)
+    if (!takePoint(bytes, point)) return false;
+  return body.target >= 0 && body.target < counts[2];
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encodeAnatomy(const Anatomy& anatomy) {
+  std::vector<std::uint8_t> bytes;
+  encodeMesh(anatomy.mesh, bytes);
+  if (!anatomy.body.empty()) encodeBody(anatomy.body, bytes);
+  return bytes;
+}
+
+bool decodeAnatomy(std::span<const std::uint8_t> bytes, Anatomy& anatomy, std::string& error) {
+  if (!decodeMesh(bytes, anatomy.mesh, error)) return false;
+  if (bytes.empty() || (takeBody(bytes, anatomy.body) && bytes.empty())) return true;
+  error = anatomy.mesh.vertices.empty() ? "the body is not whole" : "the anatomy is longer than its wall";
+  return false;
 }
 
 std::uint64_t contentHash(std::span<const std::uint8_t> bytes) {

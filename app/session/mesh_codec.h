@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "sim/mesh.h"
+#include "sim/anatomy.h"
 
 namespace halsted::app {
 
-std::vector<std::uint8_t> encodeMesh(const TetMesh&);
-/// False (and `error` says why) when the bytes are not a whole mesh with every index in range.
-bool decodeMesh(std::span<const std::uint8_t> bytes, TetMesh&, std::string& error);
+/// The wall, then the body, if there is one.
+std::vector<std::uint8_t> encodeAnatomy(const Anatomy&);
+/// False (and `error` says why) when the bytes are not a whole wall with every index in range, or a whole body of finite numbers.
+bool decodeAnatomy(std::span<const std::uint8_t> bytes, Anatomy&, std::string& error);
 /// FNV-1a: says whether two byte strings are the same, no more.
 std::uint64_t contentHash(std::span<const std::uint8_t> bytes);
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/mesh.h"
+#include "sim/anatomy.h"
 #include "sim/step.h"
 
 namespace halsted::app {
@@ -32,7 +32,7 @@ struct SessionHeader {
   double dt = 1e-3;                            // [s]
   std::uint64_t seed = 1;
   std::array<Pose, kHands> start;
-  TetMesh mesh;
+  Anatomy anatomy;
 };
 
 /// One haptic tick as recorded: what was late and what was felt.

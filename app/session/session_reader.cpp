@@ -88,7 +88,7 @@ void SessionReader::readAnatomy() {
   const Blob content = row.blob(0);
   if (static_cast<std::int64_t>(contentHash(content)) != row.integer(1)) reject("anatomy: damaged (its checksum differs)");
   std::string error;
-  if (!decodeMesh(content, header_.mesh, error)) reject("anatomy: " + error);
+  if (!decodeAnatomy(content, header_.anatomy, error)) reject("anatomy: " + error);
 }
 
 void SessionReader::readStart() {

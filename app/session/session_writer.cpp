@@ -100,8 +100,8 @@ void SessionWriter::writeHeader(const SessionHeader& header) {
     const std::size_t equals = entry.find('=');
     parameter.bind(1, entry.substr(0, equals)).bind(2, entry.substr(equals + 1)).run();
   }
-  const Blob mesh = encodeMesh(header.mesh);
-  database_->prepare("INSERT INTO anatomy VALUES(?,?)").bind(1, std::span(mesh)).bind(2, static_cast<std::int64_t>(contentHash(mesh))).run();
+  const Blob anatomy = encodeAnatomy(header.anatomy);
+  database_->prepare("INSERT INTO anatomy VALUES(?,?)").bind(1, std::span(anatomy)).bind(2, static_cast<std::int64_t>(contentHash(anatomy))).run();
   for (int hand = 0; hand < kHands; ++hand) {
     Blob pose;
     appendPose(header.start[hand], pose);

@@ -115,7 +115,7 @@ void report(const Hands& hands, const Schedule& schedule, double lateness, Worst
 }  // namespace
 
 void runHaptic(Hands& hands, const std::array<Mover, kHands>& movers, Links& links, HapticOutcome& outcome) noexcept {
-  outcome.realtime = becomeRealtime(kHapticPriority);
+  outcome.realtime = becomeRealtime(kHapticPriority) == 0;
   if (!outcome.realtime) links.hapticNotices.push({NoticeKind::kNoRealtimePriority, 0, 0});
   touchStack();
   const Nanoseconds start = monotonicNow();

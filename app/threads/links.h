@@ -60,6 +60,7 @@ struct Links {
 
   std::atomic<bool> stop{false};                                 // any thread may ask all to end
   std::atomic<bool> helpVisible{false};                          // main -> render
+  std::atomic<bool> otherView{false};                            // main -> render: whole body or cutaway, against what the scene says
   std::atomic<std::uint32_t> pausedHands{0};                     // haptic -> physics: one bit a hand whose device is away for a while
   std::atomic<int> goneHand{-1};                                 // haptic -> main: the device that vanished
   std::atomic<bool> scriptsEnded{false};                         // physics -> main

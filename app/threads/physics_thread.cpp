@@ -77,7 +77,7 @@ struct Physics {
 }  // namespace
 
 void runPhysics(const Scenario& scenario, State& state, Links& links, PhysicsOutcome& outcome) {
-  outcome.realtime = becomeRealtime(kPhysicsPriority);
+  outcome.realtime = becomeRealtime(kPhysicsPriority) == 0;
   if (!outcome.realtime) links.physicsNotices.push({NoticeKind::kNoRealtimePriority, 0, 0});
   touchStack();
   Physics physics{scenario, state, links, outcome, Surgeons(scenario), {}, {}, true};

@@ -9,7 +9,7 @@
 namespace halsted::app {
 namespace {
 
-const char* const kHelp = "mouse: move  wheel: nearer, farther  right drag: turn  left button or space: close the jaws  Esc: end";
+const char* const kHelp = "mouse: move  wheel: nearer, farther  right drag: turn  left button or space: close the jaws  C: cut the body open  Esc: end";
 constexpr double kMessageTime = 3.0;           // [s] an event stays on screen
 
 /// Rates over the last half second, for the panel.
@@ -60,34 +60,56 @@ struct Panel {
     hud.hapticRate = rates.hapticRate;
     hud.late = rates.late;
     readEvents(links, dt, hud.message, messageUntil);
+    hud.otherView = links.otherView.load();
     if (links.helpVisible.load()) hud.message = kHelp;
   }
 };
 
+/// A renderer, the panels over the picture, and where the picture goes.
+class Painter {
+ public:
+  Painter(const RenderScene& scene, const RenderOptions& options, double dt, Links& links)   // [s]
+      : renderer_(scene, options.width, options.height), camera_(scene.camera), toWindow_(options.toWindow), dt_(dt), links_(links) {}
+
+  void draw() {
+    links_.snapshot.acquire();
+    panel_.update(links_, dt_);
+    const render::Frame& frame = renderer_.draw(links_.snapshot.front(), panel_.hud, camera_);
+    if (!toWindow_) return;
+    links_.frame.back() = frame;
+    links_.frame.publish();
+  }
+
+ private:
+  render::Renderer renderer_;
+  CameraView camera_;
+  bool toWindow_;
+  double dt_;                                  // [s]
+  Links& links_;
+  Panel panel_;
+};
+
+double secondsSince(Nanoseconds start) { return static_cast<double>(monotonicNow() - start) * 1e-9; }
+
 void drawFrames(const RenderScene& scene, const RenderOptions& options, double dt, Links& links, RenderOutcome& outcome) {   // [s]
-  render::Renderer renderer(scene, options.width, options.height);
+  const Nanoseconds born = monotonicNow();
+  Painter painter(scene, options, dt, links);
+  painter.draw();                              // compiles what the shaders left to the first use
+  outcome.startSeconds = secondsSince(born);
   const auto period = static_cast<Nanoseconds>(1e9 / options.fps);
   const Nanoseconds start = monotonicNow();
   Nanoseconds next = start;
-  Panel panel;
   while (!links.stop.load(std::memory_order_relaxed)) {
+    next = std::max(next + period, monotonicNow());   // a slow frame delays the next one, frames are not made up for
     sleepUntil(next);
     const Nanoseconds begin = monotonicNow();
     const double cpu = threadCpuTime();        // [s]
-    links.snapshot.acquire();
-    panel.update(links, dt);
-    const render::Frame& frame = renderer.draw(links.snapshot.front(), panel.hud, scene.camera);
-    if (options.toWindow) {
-      links.frame.back() = frame;
-      links.frame.publish();
-    }
-    const Nanoseconds end = monotonicNow();
-    outcome.frameTimes.add(static_cast<double>(end - begin) * 1e-9);
+    painter.draw();
+    outcome.frameTimes.add(secondsSince(begin));
     outcome.frameCpu.add(threadCpuTime() - cpu);
     ++outcome.frames;
-    next = std::max(next + period, end);       // a slow frame delays the next one, frames are not made up for
   }
-  outcome.seconds = static_cast<double>(monotonicNow() - start) * 1e-9;
+  outcome.seconds = secondsSince(start);
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ struct RenderOptions {
 
 struct RenderOutcome {
   std::uint64_t frames = 0;
-  double seconds = 0.0;                        // [s] from first to last frame
+  double startSeconds = 0.0;                   // [s] until the first frame was there: textures, shaders, that frame itself
+  double seconds = 0.0;                        // [s] from the first frame, which `frames` does not count, to the end
   Durations frameTimes{50e-6, 20'000};
   Durations frameCpu{50e-6, 20'000};          // of this thread alone; all of it when the graphics library starts no threads
   std::string failure;                         // no OpenGL, ...; empty: none

@@ -1,6 +1,7 @@
 #pragma once
 /// What a hand did, as a list of samples in time: a script or a recording, read from a text file. Reading: client threads, at
 /// hdInitDevice. Playing: pure, no heap.
+#include <istream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -31,6 +32,8 @@ class MotionError : public std::runtime_error {
 /// Reads either form (README): a table with a header line that names its columns, or a tool dynamometer trace ('%' comments, 1 ms a
 /// row). Throws MotionError.
 Motion readMotion(const std::string& path);
+/// The same from a stream; `path` is for the messages.
+Motion readMotion(std::istream& in, const std::string& path);
 
 /// Between samples: position on the line, orientation on the chord; before the first and after the last: those.
 /// `cursor` remembers where the last call was; begin with 0.

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kMostSamples = 4'000'000;   // an hour at 1 kHz
 constexpr double kFarthest = 1.0;                 // [m] no hand held device reaches farther
+constexpr double kLatest = 1e11;                  // [s] clocks count from 1970; differences stay numbers
 constexpr double kTwoPi = 6.283185307179586;      // [rad]
 
 struct Source {
@@ -132,6 +133,7 @@ MotionSample readTurn(const Source& source, const Fields& fields) {
 
 void append(const Source& source, MotionSample sample, double& start, Motion& motion) {
   if (motion.samples.empty()) start = sample.time;
+  if (!(std::abs(sample.time) <= kLatest)) source.fail("a time that no clock shows");
   sample.time -= start;
   if (!motion.samples.empty() && !(sample.time > motion.samples.back().time)) {
     if (sample.time == motion.samples.back().time) return;  // recorders write the same instant twice
@@ -145,8 +147,12 @@ void append(const Source& source, MotionSample sample, double& start, Motion& mo
 
 Motion readMotion(const std::string& path) {
   std::ifstream in(path);
+  if (!in) Source{path}.fail("cannot be read");
+  return readMotion(in, path);
+}
+
+Motion readMotion(std::istream& in, const std::string& path) {
   Source source{path};
-  if (!in) source.fail("cannot be read");
   Motion motion;
   std::optional<Columns> columns;
   bool trace = false;

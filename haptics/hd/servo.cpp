@@ -1,8 +1,5 @@
 #include "haptics/hd/servo.h"
 
-#include <sched.h>
-#include <sys/prctl.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -15,19 +12,9 @@ namespace {
 
 constexpr int kFifoPriority = 80;
 
-void touchStack() noexcept {
-  constexpr int kBytes = 128 * 1024;
-  volatile char stack[kBytes];
-  for (int i = 0; i < kBytes; i += 1024) stack[i] = 0;
-  (void)stack[0];
-}
-
 /// Says once a process why the servo loop may be late.
-void becomeRealtime() noexcept {
-  prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);
-  sched_param wanted{};
-  wanted.sched_priority = kFifoPriority;
-  const int refused = pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted);
+void askForPriority() noexcept {
+  const int refused = becomeRealtime(kFifoPriority);
   static std::atomic<bool> said{false};
   if (refused == 0 || said.exchange(true) || std::getenv("HALSTED_HD_QUIET")) return;
   std::fprintf(stderr, "halsted HD: the servo loop runs without real-time priority (%s); allow it with an rtprio limit of %d\n",
@@ -90,7 +77,7 @@ void* Servo::threadMain(void* self) {
   thisThread() = {};
   thisThread().servo = true;
   touchStack();
-  becomeRealtime();
+  askForPriority();
   servo.loop();
   servo.session_.relaxDevices();
   servo.running_.store(false, std::memory_order_release);

@@ -2,6 +2,7 @@
 /// Which virtual devices there are: built in, from a TOML file, from the environment. Read at every hdInitDevice, on the caller's thread.
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/types.h"
@@ -37,6 +38,8 @@ class SettingsError : public std::runtime_error {
 Settings readSettings();
 /// The [[device]] tables of a TOML file. Throws SettingsError.
 Settings readSettingsFile(const std::string& path);
+/// The same from its text; `path` is for the messages, and motion files are beside it.
+Settings readSettingsText(std::string_view text, const std::string& path);
 
 /// Letter case does not matter: programs spell the default device's name in several ways. Null: the default device.
 const DeviceSettings* findDevice(const Settings&, const char* name);

@@ -4,21 +4,65 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <sstream>
-
-#include <toml++/toml.h>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
 
 #include "haptics/hd/settings.h"
+
+namespace halsted::haptics::hd {
+[[noreturn]] void tomlAssertionFailed(const char* expression) { throw std::logic_error(expression); }
+}  // namespace halsted::haptics::hd
+
+// toml++ 3.3 asserts on some bad input (a table header "[!"). Whatever the build type, that must be a refusal, not the end.
+#pragma push_macro("NDEBUG")
+#undef NDEBUG
+#define TOML_ASSERT(expression) ((expression) ? static_cast<void>(0) : ::halsted::haptics::hd::tomlAssertionFailed(#expression))
+#include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
 
 namespace halsted::haptics::hd {
 
 namespace {
 
+constexpr std::size_t kLargestFile = 1 << 20;  // bytes
+
+/// What a file says may hold anything; a message is one line of it.
+std::string oneLine(std::string text) {
+  for (char& letter : text)
+    if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f) letter = ' ';
+  return text.substr(0, 300);
+}
+
+/// What toml++ 3.3 must not see: it reaches code that it declares unreachable on many letters outside ASCII. Lines that are comments lose
+/// their text; elsewhere such a letter is refused.
+std::string plainText(std::string_view text, const std::string& path) {
+  std::string plain;
+  int line = 1;
+  bool comment = false, blank = true;            // of this line so far
+  for (const char letter : text) {
+    const auto code = static_cast<unsigned char>(letter);
+    const bool white = letter == ' ' || letter == '\t' || letter == '\r';
+    if (blank && letter == '#') comment = true;
+    blank = letter == '\n' || (blank && white);
+    if (letter == '\n') {
+      ++line;
+      comment = false;
+    } else if (comment) {
+      continue;
+    } else if (code >= 0x7f || (code < 0x20 && !white)) {
+      throw SettingsError(path + ":" + std::to_string(line) + ": a letter outside ASCII");
+    }
+    plain.push_back(letter);
+  }
+  return plain;
+}
+
 struct Reader {
   std::string path;
 
   [[noreturn]] void fail(const toml::node& node, const std::string& what) const {
-    throw SettingsError(path + ":" + std::to_string(node.source().begin.line) + ": " + what);
+    throw SettingsError(path + ":" + std::to_string(node.source().begin.line) + ": " + oneLine(what));
   }
 
   template <class T> T value(const toml::node& node, const char* key, const char* kind) const {
@@ -69,10 +113,13 @@ HandKind handOf(const Reader& reader, const toml::node& node) {
   reader.fail(node, "hand: 'firm', 'light' or 'none'");
 }
 
-/// The file stays inside its folder's tree or is an absolute path that the user wrote.
+/// An absolute path is the user's word; any other stays inside the folder of this file.
 std::string motionOf(const Reader& reader, const toml::node& node) {
   const std::filesystem::path file = reader.text(node, "motion");
-  return file.is_absolute() ? file.string() : (std::filesystem::path(reader.path).parent_path() / file).string();
+  if (file.is_absolute()) return file.string();
+  for (const std::filesystem::path& part : file)
+    if (part == "..") reader.fail(node, "motion: a file beside this one, or an absolute path");
+  return (std::filesystem::path(reader.path).parent_path() / file).string();
 }
 
 void readKey(const Reader& reader, std::string_view key, const toml::node& node, DeviceSettings& device) {
@@ -106,21 +153,30 @@ DeviceSettings readDevice(const Reader& reader, const toml::node& node, std::siz
 
 }  // namespace
 
-Settings readSettingsFile(const std::string& path) {
+Settings readSettingsText(std::string_view text, const std::string& path) {
   const Reader reader{path};
   toml::table file;
   try {
-    file = toml::parse_file(path);
+    file = toml::parse(plainText(text, path), path);
   } catch (const toml::parse_error& error) {
-    std::ostringstream text;
-    text << path << ":" << error.source().begin.line << ": " << error.description();
-    throw SettingsError(text.str());
+    throw SettingsError(path + ":" + std::to_string(error.source().begin.line) + ": " + oneLine(std::string(error.description())));
+  } catch (const std::logic_error&) {
+    throw SettingsError(path + ": is not TOML");
   }
   Settings settings;
   const toml::array* devices = file["device"].as_array();
   if (!devices || devices->empty()) throw SettingsError(path + ": no [[device]]");
   for (const toml::node& node : *devices) settings.devices.push_back(readDevice(reader, node, settings.devices.size()));
   return settings;
+}
+
+Settings readSettingsFile(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string text;
+  for (std::istreambuf_iterator<char> at(in), end; at != end && text.size() <= kLargestFile; ++at) text.push_back(*at);
+  if (!in.is_open()) throw SettingsError(path + ": cannot be read");
+  if (text.size() > kLargestFile) throw SettingsError(path + ": larger than 1 MiB");
+  return readSettingsText(text, path);
 }
 
 }  // namespace halsted::haptics::hd

@@ -7,6 +7,9 @@
 namespace halsted::haptics {
 namespace {
 
+constexpr int kMostErrors = 64;                // a library that never runs out of them must not hold a thread
+constexpr unsigned int kHdDeviceFault = 0x0300, kHdTimerError = 0x0304;  // and the faults of the line between them
+
 template <typename Function>
 bool find(void* library, const char* name, Function& function) {
   function = reinterpret_cast<Function>(dlsym(library, name));
@@ -53,12 +56,23 @@ HdLibrary::~HdLibrary() {
   if (handle_) dlclose(handle_);
 }
 
-void HdLibrary::deviceAdded() {
-  if (devices_++ == 0) functions_.startScheduler();
+void HdLibrary::forgetErrors() const noexcept {
+  for (int i = 0; i < kMostErrors && functions_.lastError().code != kHdSuccess; ++i) {}
 }
 
-void HdLibrary::deviceRemoved() {
-  if (--devices_ == 0) functions_.stopScheduler();
+bool HdLibrary::isLost(unsigned int asker) noexcept {
+  for (int i = 0; i < kMostErrors; ++i) {
+    const HdErrorInfo error = functions_.lastError();
+    if (error.code == kHdSuccess) break;
+    if (error.code < kHdDeviceFault || error.code > kHdTimerError) continue;
+    const unsigned int device = error.device < kMostDevices ? error.device : asker;
+    if (device < kMostDevices) lost_[device].store(true, std::memory_order_relaxed);
+  }
+  return asker < kMostDevices && lost_[asker].load(std::memory_order_relaxed);
+}
+
+void HdLibrary::opened(unsigned int device) noexcept {
+  if (device < kMostDevices) lost_[device].store(false, std::memory_order_relaxed);
 }
 
 }  // namespace halsted::haptics

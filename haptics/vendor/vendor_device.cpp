@@ -4,22 +4,24 @@
 #include <cmath>
 #include <utility>
 
+#include "haptics/realtime.h"
+
 namespace halsted::haptics {
 namespace {
 
 // Values of the documented interface.
 enum : unsigned int {
-  kHdSuccess = 0, kHdWarmMotors = 0x0200, kHdDeviceFault = 0x0300, kHdCommError = 0x0302, kHdTimerError = 0x0304,
   kHdCurrentButtons = 0x2000, kHdCurrentTransform = 0x2052, kHdModel = 0x2501, kHdSerial = 0x2504, kHdCalibrationStyle = 0x2555,
   kHdNominalStiffness = 0x2602, kHdNominalForce = 0x2603, kHdNominalContinuous = 0x2604, kHdCurrentForce = 0x2700, kHdForceOutput = 0x4000,
-  kHdCalibrationOk = 0x5000, kHdCalibrationNeedsUpdate = 0x5001, kHdCallbackContinue = 1, kHdInvalidHandle = 0xffffffffu
+  kHdCalibrationOk = 0x5000, kHdCalibrationNeedsUpdate = 0x5001, kHdCallbackContinue = 1
 };
-constexpr unsigned int kHdInkwell = 4;
+constexpr unsigned int kHdEncoderReset = 1, kHdAuto = 2, kHdInkwell = 4;
 constexpr unsigned short kHdDefaultPriority = 32767;
 constexpr double kSilent = 10e-3;              // [s] without a servo tick of the vendor's
 constexpr int kForgetForce = 10;               // servo ticks without a new force: the haptic thread has stopped
 constexpr double kJawRate = 7.0;               // [1/s]
 constexpr int kButton1 = 1;
+constexpr Nanoseconds kLookEvery = 20'000'000, kTryEvery = 500'000'000;  // [ns] for a lost device
 
 /// Column-major 4x4 in millimetres.
 Pose poseOf(const double* t) noexcept {
@@ -31,32 +33,70 @@ Pose poseOf(const double* t) noexcept {
   return pose;
 }
 
-bool deviceIsLost(unsigned int code) { return code >= kHdDeviceFault && code <= kHdTimerError; }
-
 }  // namespace
 
 VendorDevice::Opened VendorDevice::open(const std::string& name) {
   HdLoad loaded = HdLoad::kLoaded;
   auto library = HdLibrary::load(loaded);
   if (!library) return {nullptr, loaded == HdLoad::kMissing ? DeviceProblem::kVendorLibraryMissing : DeviceProblem::kVendorLibraryUnusable};
-  const HdFunctions& hd = library->call();
-  std::unique_ptr<VendorDevice> device(new VendorDevice(library));
-  while (hd.lastError().code != kHdSuccess) {}                   // what an earlier device left
-  device->handle_ = hd.initDevice(name.empty() ? nullptr : name.c_str());
-  if (hd.lastError().code != kHdSuccess || device->handle_ == kHdInvalidHandle) return {nullptr, DeviceProblem::kVendorDeviceRefused};
-  device->opened_ = true;
-  device->identify();
-  hd.enable(kHdForceOutput);
-  device->callback_ = hd.scheduleAsynchronous(onServo, device.get(), kHdDefaultPriority);
-  library->deviceAdded();
+  std::unique_ptr<VendorDevice> device(new VendorDevice(library, name));
+  library->whileStopped([&] { return device->attach() ? 1 : 0; });
+  if (!device->opened_) return {nullptr, DeviceProblem::kVendorDeviceRefused};
   return {std::move(device), DeviceProblem::kNone};
 }
 
 VendorDevice::~VendorDevice() {
-  if (!opened_) return;
-  library_->deviceRemoved();
+  if (opened_) library_->whileStopped([this] { return -detach(); });
+}
+
+/// The scheduler stands. The first time the device says what it is; later it must be the same one.
+bool VendorDevice::attach() {
+  const HdFunctions& hd = library_->call();
+  library_->forgetErrors();                                      // what an earlier device left
+  handle_ = hd.initDevice(name_.empty() ? nullptr : name_.c_str());
+  if (hd.lastError().code != kHdSuccess || handle_ == kHdInvalidHandle) return false;
+  if (known_ && !isTheSame()) {
+    hd.disableDevice(handle_);
+    problem_.store(DeviceProblem::kNotAttached, std::memory_order_relaxed);
+    return false;
+  }
+  if (!known_) identify();
+  known_ = opened_ = true;
+  hd.enable(kHdForceOutput);
+  library_->opened(handle_);
+  wantedAge_ = kForgetForce;                                     // what was wanted before it left is not what is wanted now
+  stage_.store(DeviceStage::kStarting, std::memory_order_relaxed);
+  problem_.store(DeviceProblem::kNone, std::memory_order_relaxed);
+  broken_.store(false, std::memory_order_release);
+  callback_ = hd.scheduleAsynchronous(onServo, this, kHdDefaultPriority);
+  return true;
+}
+
+int VendorDevice::detach() {
+  if (!std::exchange(opened_, false)) return 0;
   library_->call().unschedule(callback_);
   library_->call().disableDevice(handle_);
+  return 1;
+}
+
+bool VendorDevice::isTheSame() const {
+  const char* serial = library_->call().readString(kHdSerial);
+  return serial_.empty() || !serial || serial_ == serial;
+}
+
+/// Closes what is lost and tries to open it again, twice a second. Other devices of the library stand still for that moment; the session
+/// waits anyway.
+void VendorDevice::serve(const std::atomic<bool>& stop) noexcept {
+  Nanoseconds next = monotonicNow(), nextTry = 0;
+  while (!stop.load(std::memory_order_relaxed)) {
+    sleepUntil(next += kLookEvery);
+    if (!broken_.load(std::memory_order_acquire) || next < nextTry) continue;
+    nextTry = next + kTryEvery;
+    library_->whileStopped([this] {
+      const int before = detach();
+      return (attach() ? 1 : 0) - before;
+    });
+  }
 }
 
 void VendorDevice::identify() {
@@ -71,9 +111,13 @@ void VendorDevice::identify() {
   limits_.stiffness = number(kHdNominalStiffness, limits_.stiffness * 1e-3) * 1e3;   // N/mm
   const char* text = hd.readString(kHdModel);
   model_ = text ? text : "";
+  int styles = 0;
+  hd.readIntegers(kHdCalibrationStyle, &styles);
+  for (const unsigned int style : {kHdEncoderReset, kHdInkwell, kHdAuto})       // the last one that it knows
+    if (static_cast<unsigned int>(styles) & style) calibrationStyle_ = style;
   text = hd.readString(kHdSerial);
   serial_ = text ? text : "";
-  while (hd.lastError().code != kHdSuccess) {}                   // some libraries lack one of these
+  library_->forgetErrors();                                      // some libraries lack one of these
 }
 
 unsigned int VendorDevice::onServo(void* device) {
@@ -86,7 +130,7 @@ void VendorDevice::servo() noexcept {
   const HdFunctions& hd = library_->call();
   hd.makeCurrentDevice(handle_);
   const unsigned int calibration = hd.checkCalibration();
-  if (calibration == kHdCalibrationNeedsUpdate) hd.updateCalibration(kHdInkwell);
+  if (calibration == kHdCalibrationNeedsUpdate) hd.updateCalibration(calibrationStyle_);
   const bool calibrated = calibration == kHdCalibrationOk || calibration == kHdCalibrationNeedsUpdate;
 
   hd.beginFrame(handle_);
@@ -113,17 +157,11 @@ void VendorDevice::servo() noexcept {
   stage_.store(calibrated ? DeviceStage::kReady : DeviceStage::kHoming, std::memory_order_release);
 }
 
-/// Errors of the force (warm motors, too fast) the library answers itself, by cutting it; a lost device ends here.
 void VendorDevice::checkErrors() noexcept {
-  constexpr int kMostErrors = 16;
-  for (int i = 0; i < kMostErrors; ++i) {
-    const HdErrorInfo error = library_->call().lastError();
-    if (error.code == kHdSuccess) return;
-    if (!deviceIsLost(error.code)) continue;
-    problem_.store(DeviceProblem::kTransferFailed, std::memory_order_relaxed);
-    stage_.store(DeviceStage::kSearching, std::memory_order_release);
-    broken_.store(true, std::memory_order_release);
-  }
+  if (!library_->isLost(handle_)) return;
+  problem_.store(DeviceProblem::kTransferFailed, std::memory_order_relaxed);
+  stage_.store(DeviceStage::kSearching, std::memory_order_release);
+  broken_.store(true, std::memory_order_release);
 }
 
 DeviceReading VendorDevice::read(double dt) noexcept {  // [s]

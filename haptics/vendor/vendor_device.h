@@ -1,6 +1,7 @@
 #pragma once
 /// A device of the vendor's, driven through the vendor's own library. That library has its own servo thread; the haptic tick and it
-/// hand readings and forces over through carriers, so neither waits for the other. Opened and closed on the main thread.
+/// hand readings and forces over through carriers, so neither waits for the other. Opened and closed on the main thread; a lost device
+/// is closed and opened again on the thread that serves it, and is known by its serial number.
 #include <atomic>
 #include <memory>
 #include <string>
@@ -28,6 +29,9 @@ class VendorDevice final : public Device {
   DeviceLimits limits() const noexcept override { return limits_; }
   const char* kind() const noexcept override { return "vendor"; }
   DeviceStatus status() const noexcept override { return {stage_.load(), problem_.load()}; }
+  bool served() const noexcept override { return true; }
+  void serve(const std::atomic<bool>& stop) noexcept override;
+  bool mayReturn() const noexcept override { return true; }
 
   const std::string& model() const noexcept { return model_; }
   const std::string& serial() const noexcept { return serial_; }
@@ -38,16 +42,21 @@ class VendorDevice final : public Device {
   struct Measured { Pose pose; int buttons = 0; std::uint64_t count = 0; };
   struct Wanted { Vec3 force = Vec3::Zero(); std::uint64_t count = 0; };   // [N]
 
-  explicit VendorDevice(std::shared_ptr<HdLibrary> library) : library_(std::move(library)) {}
+  VendorDevice(std::shared_ptr<HdLibrary> library, const std::string& name) : library_(std::move(library)), name_(name) {}
+  bool attach();
+  int detach();                                // how many it closed
+  bool isTheSame() const;
   void identify();
   static unsigned int onServo(void* device);
   void servo() noexcept;
   void checkErrors() noexcept;
 
   std::shared_ptr<HdLibrary> library_;
+  std::string name_;
   unsigned int handle_ = 0;
   unsigned long callback_ = 0;
-  bool opened_ = false;
+  bool opened_ = false, known_ = false;
+  unsigned int calibrationStyle_ = 4;          // the interface's mask: by the inkwell
   DeviceLimits limits_;
   std::string model_, serial_;
   TripleBuffer<Measured> measured_;            // servo -> haptic

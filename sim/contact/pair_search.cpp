@@ -1,98 +1,91 @@
 #include "sim/contact/pair_search.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 #include "sim/contact/geometry.h"
+#include "sim/contact/vertex_grid.h"
+#include "sim/lanes.h"
 
 namespace halsted {
 namespace {
 
-constexpr double kLeastCell = 3e-3;              // [m] about one edge of the mesh
 constexpr double kLevel = 1e-7;                  // [m] nearer to the triangle's own column is over the triangle
-
-using Cell = std::array<int, 3>;
-
-/// Cells of a box about all vertices, each axis divided alike: however far the tissue is stretched there are no more of them.
-class Grid {
- public:
-  Grid(const Model& m, std::span<const Vec3> x) : low_(x[m.surface.vertices.front()]) {   // x [m]
-    Vec3 high = low_;                            // [m]
-    for (int v : m.surface.vertices) {
-      low_ = low_.cwiseMin(x[v]);
-      high = high.cwiseMax(x[v]);
-    }
-    for (int axis = 0; axis < 3; ++axis) perMetre_[axis] = 1.0 / std::max(kLeastCell, (high[axis] - low_[axis]) / SelfWork::kAxis);
-  }
-  Cell at(const Vec3& p) const {                 // [m]
-    Cell c;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double cells = (p[axis] - low_[axis]) * perMetre_[axis];   // [1]
-      c[axis] = cells > 0.0 ? static_cast<int>(std::min(cells, SelfWork::kAxis - 1.0)) : 0;
-    }
-    return c;
-  }
-  static int index(int x, int y, int z) { return (x * SelfWork::kAxis + y) * SelfWork::kAxis + z; }
-
- private:
-  Vec3 low_;                                     // [m]
-  Vec3 perMetre_ = Vec3::Zero();                 // [1/m]
-};
-
-/// Counting sort of the surface's vertices into cells: index order within a cell.
-void fillGrid(const Model& m, const TissueState& t, const Grid& grid, SelfWork& w) {
-  w.start.fill(0);
-  const int n = static_cast<int>(m.surface.vertices.size());
-  for (int i = 0; i < n; ++i) {
-    const Cell c = grid.at(t.position[m.surface.vertices[i]]);
-    w.cell[i] = Grid::index(c[0], c[1], c[2]);
-    ++w.start[w.cell[i] + 1];
-  }
-  for (int c = 0; c < SelfWork::kCells; ++c) w.start[c + 1] += w.start[c];
-  for (int i = n - 1; i >= 0; --i) {             // from the last: afterwards start[c + 1] is where cell c begins
-    const int at = --w.start[w.cell[i] + 1];
-    w.item[at] = m.surface.vertices[i];
-    w.place[at] = t.position[m.surface.vertices[i]];
-  }
-  std::copy(w.start.begin() + 1, w.start.end(), w.start.begin());
-  w.start[SelfWork::kCells] = n;
-}
+constexpr double kRoom = 1e-6;                   // [m] for rounding: the exact test follows
+constexpr double kWatched = 1.3e-3 + kRoom;      // [m] from the triangle's nearest point: kPairReach and kPairAside, at a right angle
+constexpr double kListed = kWatched + 2.0 * kPairDrift + kRoom;   // [m] farther now, a pair cannot be near while the list holds
+static_assert(kWatched * kWatched > kPairReach * kPairReach + kPairAside * kPairAside && kPairReach >= kPairBehind);
 
 /// A triangle made ready to reject most vertices by its plane and its ball.
 struct Face {
   int index = 0, next = 0;                       // triangle; the pairs of the last round from here on belong to later ones
   bool held = false;                             // all three corners are fixed
-  Vec3 normal = Vec3::UnitZ();                   // [1]
-  Vec3 centre = Vec3::Zero();                    // [m]
+  Vec3 a, b, c, normal, centre;                  // [m] corners; [1]; [m]
+  double above = 0.0, behind = 0.0;              // [m] heights between which a vertex is of interest
   double squaredReach = 0.0;                     // [m^2] about the centre
-  Cell low{}, high{};
 };
 
-Face faceOf(const Model& m, std::span<const Vec3> x, const Grid& grid, int triangle) {
-  constexpr double kMargin = kPairReach + kPairAside;   // [m] more than any watched vertex is away
+/// What a search looks for: pairs that are near, and when it makes a list those too that may be while the list holds.
+struct Scope {
+  double aside = kPairReach + kPairAside;        // [m] more than any watched vertex is away
+  double above = kPairReach + kRoom, behind = kPairBehind + kRoom;   // [m]
+  NearPairs* list = nullptr;                     // to be made
+};
+
+Scope listScope(NearPairs& list) {
+  Scope s;
+  s.list = &list;
+  s.above = s.behind = kListed;                  // a triangle may turn while the list holds
+  s.aside = kListed;
+  return s;
+}
+
+Face faceOf(const Model& m, std::span<const Vec3> x, int triangle, const Scope& scope) {
   const auto& v = m.surface.triangles[triangle];
-  const Vec3 &a = x[v[0]], &b = x[v[1]], &c = x[v[2]];
   Face f;
+  f.a = x[v[0]];
+  f.b = x[v[1]];
+  f.c = x[v[2]];
   f.index = triangle;
   f.held = m.tissue.isFixed[v[0]] && m.tissue.isFixed[v[1]] && m.tissue.isFixed[v[2]];
-  f.normal = (b - a).cross(c - a).normalized();
-  f.centre = (a + b + c) / 3.0;
-  const double most = std::max({(a - f.centre).squaredNorm(), (b - f.centre).squaredNorm(), (c - f.centre).squaredNorm()});   // [m^2]
-  const double reach = std::sqrt(most) + kMargin;       // [m]
+  f.normal = (f.b - f.a).cross(f.c - f.a).normalized();
+  f.centre = (f.a + f.b + f.c) / 3.0;
+  f.above = scope.above;
+  f.behind = scope.behind;
+  const double most = std::max({(f.a - f.centre).squaredNorm(), (f.b - f.centre).squaredNorm(), (f.c - f.centre).squaredNorm()});   // [m^2]
+  const double reach = std::sqrt(most) + scope.aside;   // [m]
   f.squaredReach = reach * reach;
-  const Vec3 margin = Vec3::Constant(kMargin);
-  f.low = grid.at(a.cwiseMin(b).cwiseMin(c) - margin);
-  f.high = grid.at(a.cwiseMax(b).cwiseMax(c) + margin);
   return f;
 }
 
 bool insideBall(const Face& f, const Vec3& p) {
-  constexpr double kRoom = 1e-6;                 // [m] for rounding: the exact test follows
   const Vec3 d = p - f.centre;
   const double height = d.dot(f.normal);         // [m]
   // One branch instead of three: which of them fails is as good as random.
-  return (height < kPairReach + kRoom) & (height > -kPairBehind - kRoom) & (d.squaredNorm() < f.squaredReach);
+  return (height < f.above) & (height > -f.behind) & (d.squaredNorm() < f.squaredReach);
 }
+
+using Two = double __attribute__((vector_size(16)));   // SSE2, which every x86-64 has
+
+HALSTED_INLINE Two loadTwo(const double* p) { return Two{p[0], p[1]}; }
+/// The same for two vertices side by side: bit 0 and bit 1.
+HALSTED_INLINE int insideBall(const Face& f, const double* x, const double* y, const double* z) {   // [m]
+  const Two dx = loadTwo(x) - f.centre[0], dy = loadTwo(y) - f.centre[1], dz = loadTwo(z) - f.centre[2];
+  const Two height = dx * f.normal[0] + dy * f.normal[1] + dz * f.normal[2];
+  const auto inside = (height < f.above) & (height > -f.behind) & (dx * dx + dy * dy + dz * dz < f.squaredReach);
+  return __builtin_ia32_movmskpd(std::bit_cast<Two>(inside));
+}
+
+/// Of the four entries from `e` on, those before `end`.
+HALSTED_INLINE int insideBall(const Face& f, const SelfWork& w, int e, int end) {
+  const double *x = w.place.data() + e, *y = x + w.item.size(), *z = y + w.item.size();
+  const int four = insideBall(f, x, y, z) | insideBall(f, x + 2, y + 2, z + 2) << 2;
+  return end - e < 4 ? four & ((1 << (end - e)) - 1) : four;
+}
+
+double squaredDistance(const Face& f, const Vec3& p) { return (p - mix(closestOnTriangle(p, f.a, f.b, f.c), f.a, f.b, f.c)).squaredNorm(); }
 
 /// Moves the pairs of this turn's triangles into the work space; the others close ranks. Both stay in ascending order of triangles.
 void takeOut(int turn, TissueState& t, SelfWork& w) {
@@ -118,41 +111,66 @@ void addPair(State& s, int vertex, int triangle, double force) {   // [N]
   t.pairForce[t.pairCount++] = force;
 }
 
+/// Marks of SelfWork::ring: the vertex is a neighbour of this triangle; the vertex is in a pair with it that has stayed.
+int ringMark(int triangle) { return 2 * triangle; }
+int keptMark(int triangle) { return 2 * triangle + 1; }
+
 /// Pairs of a triangle that carry force stay, near or not: the next sweep lets go of them. Marked, so that none is added twice.
 void keepLoaded(int triangle, int& next, State& s) {
   SelfWork& w = s.work.self;
   for (; next < w.count && w.triangle[next] == triangle; ++next) {
     if (w.force[next] == 0.0) continue;
     addPair(s, w.vertex[next], triangle, w.force[next]);
-    w.ring[w.vertex[next]] = triangle;
+    w.ring[w.vertex[next]] = keptMark(triangle);
   }
 }
 
 /// Marks the corners of a triangle and all that they are joined to: most vertices near a triangle are its neighbours.
 void markRing(const Model& m, int triangle, SelfWork& w) {
   for (int v : m.surface.triangles[triangle]) {
-    w.ring[v] = triangle;
-    for (int e = m.surface.neighbourStart[v]; e < m.surface.neighbourStart[v + 1]; ++e) w.ring[m.surface.neighbour[e]] = triangle;
+    w.ring[v] = ringMark(triangle);
+    for (int e = m.surface.neighbourStart[v]; e < m.surface.neighbourStart[v + 1]; ++e) w.ring[m.surface.neighbour[e]] = ringMark(triangle);
   }
 }
 
-void searchRun(const Model& m, const Face& face, int from, int to, State& s) {
+void offer(const Model& m, const Face& face, int vertex, State& s) {
+  if (!pairGap(m, s.tissue.position, vertex, face.index).near) return;
+  const int reserved = s.work.self.count - face.next;   // for what may still have to stay
+  if (s.tissue.pairCount + reserved < TissueState::kMaxPairs) addPair(s, vertex, face.index, 0.0);
+  else ++s.tissue.droppedPairs;
+}
+
+/// Puts the pair on the list if it belongs there; true when it may be near now.
+bool enlist(const Face& face, int vertex, const Vec3& p, NearPairs& list) {   // p [m]
+  const double far2 = squaredDistance(face, p);  // [m^2]
+  if (far2 > kListed * kListed) return false;
+  if (list.count < NearPairs::kMost) {
+    list.vertex[list.count] = vertex;
+    list.triangle[list.count] = face.index;
+  }
+  ++list.count;
+  return far2 <= kWatched * kWatched;
+}
+
+void searchRun(const Model& m, const Face& face, std::array<int, 2> run, NearPairs* list, State& s) {
   const SelfWork& w = s.work.self;
-  for (int e = from; e < to; ++e) {
-    if (!insideBall(face, w.place[e]) || w.ring[w.item[e]] == face.index) continue;
-    const int vertex = w.item[e];
-    if ((face.held && m.tissue.isFixed[vertex]) || !pairGap(m, s.tissue.position, vertex, face.index).near) continue;
-    const int reserved = w.count - face.next;    // for what may still have to stay
-    if (s.tissue.pairCount + reserved < TissueState::kMaxPairs) addPair(s, vertex, face.index, 0.0);
-    else ++s.tissue.droppedPairs;
+  for (int e = run[0]; e < run[1]; e += 4) {
+    for (int inside = insideBall(face, w, e, run[1]); inside != 0; inside &= inside - 1) {
+      const int vertex = w.item[e + std::countr_zero(static_cast<unsigned>(inside))];
+      if (w.ring[vertex] == ringMark(face.index) || (face.held && m.tissue.isFixed[vertex])) continue;
+      const bool candidate = list == nullptr || enlist(face, vertex, s.tissue.position[vertex], *list);
+      if (candidate && w.ring[vertex] != keptMark(face.index)) offer(m, face, vertex, s);
+    }
   }
 }
 
-void searchFace(const Model& m, const Face& face, State& s) {
+void searchFace(const Model& m, const VertexGrid& grid, const Face& face, const Scope& scope, State& s) {
   const SelfWork& w = s.work.self;
-  for (int x = face.low[0]; x <= face.high[0]; ++x)
-    for (int y = face.low[1]; y <= face.high[1]; ++y)
-      searchRun(m, face, w.start[Grid::index(x, y, face.low[2])], w.start[Grid::index(x, y, face.high[2]) + 1], s);
+  const Vec3 margin = Vec3::Constant(scope.aside);
+  const Cell low = grid.at(face.a.cwiseMin(face.b).cwiseMin(face.c) - margin), high = grid.at(face.a.cwiseMax(face.b).cwiseMax(face.c) + margin);
+  for (int x = low[0]; x <= high[0]; ++x)
+    for (int y = low[1]; y <= high[1]; ++y)
+      searchRun(m, face, {w.start[VertexGrid::index(x, y, low[2])], w.start[VertexGrid::index(x, y, high[2]) + 1]}, scope.list, s);
 }
 
 /// Triangle holds every corner of `triangle` that has weight: it meets it in the edge or corner where the weights are.
@@ -175,6 +193,67 @@ bool behindNeighbours(const Model& m, std::span<const Vec3> x, int vertex, int t
     if ((x[v[1]] - x[v[0]]).cross(x[v[2]] - x[v[0]]).dot(x[vertex] - x[v[0]]) > 0.0) return false;
   }
   return true;
+}
+
+/// Nothing has gone farther than a list allows for. False where something is not a number.
+bool stayed(const Model& m, std::span<const Vec3> x, const NearPairs& list) {   // [m]
+  constexpr double kSquared = kPairDrift * kPairDrift;   // [m^2]
+  bool near = true;
+  for (std::size_t i = 0; i < list.place.size(); ++i) near &= (x[m.surface.vertices[i]] - list.place[i]).squaredNorm() < kSquared;
+  return near;
+}
+
+/// Through the cells. A list costs half as much again as a search: it is made where the last one served, or would have.
+void searchCells(const Model& m, const VertexGrid& grid, int turn, const Scope& scope, State& s) {
+  SelfWork& w = s.work.self;
+  NearPairs& list = w.nearby[turn];
+  list.whole = list.used = false;
+  list.count = 0;
+  for (std::size_t i = 0; i < list.place.size(); ++i) list.place[i] = s.tissue.position[m.surface.vertices[i]];
+  fillGrid(m, s.tissue, grid, w);
+  int next = 0;
+  for (int f = turn; f < static_cast<int>(m.surface.triangles.size()); f += kPairRound) {
+    markRing(m, f, w);
+    keepLoaded(f, next, s);
+    Face face = faceOf(m, s.tissue.position, f, scope);
+    face.next = next;
+    searchFace(m, grid, face, scope, s);
+  }
+  list.whole = scope.list != nullptr && list.count <= NearPairs::kMost;
+}
+
+/// One triangle's part of the list, `from` to `to`, in the order of the cells.
+void searchListed(const Model& m, const VertexGrid& grid, const Face& face, std::array<int, 2> run, State& s) {
+  NearPairs& list = s.work.self.nearby[static_cast<std::size_t>(face.index % kPairRound)];
+  const auto x = [&](int vertex) -> const Vec3& { return s.tissue.position[vertex]; };
+  int end = run[0];                              // the vertices inside the ball go first
+  for (int e = run[0]; e < run[1]; ++e)
+    if (insideBall(face, x(list.vertex[e])) && s.work.self.ring[list.vertex[e]] != keptMark(face.index)) std::swap(list.vertex[end++], list.vertex[e]);
+  const auto first = list.vertex.begin() + run[0], last = list.vertex.begin() + end;
+  std::sort(first, last, [&](int a, int b) {
+    const int left = grid.indexAt(x(a)), right = grid.indexAt(x(b));
+    return left != right ? left < right : a < b;
+  });
+  for (auto v = first; v != last; ++v) offer(m, face, *v, s);
+}
+
+void searchList(const Model& m, const VertexGrid& grid, int turn, State& s) {
+  SelfWork& w = s.work.self;
+  NearPairs& list = w.nearby[turn];
+  list.used = true;
+  int next = 0, e = 0;
+  while (e < list.count || next < w.count) {
+    // Triangles with nothing near and no pair of the last round have nothing to do.
+    const int listed = e < list.count ? list.triangle[e] : std::numeric_limits<int>::max();
+    const int f = next < w.count ? std::min(listed, w.triangle[next]) : listed;
+    const int first = e;
+    while (e < list.count && list.triangle[e] == f) ++e;
+    keepLoaded(f, next, s);
+    if (e == first) continue;
+    Face face = faceOf(m, s.tissue.position, f, Scope{});
+    face.next = next;
+    searchListed(m, grid, face, {first, e}, s);
+  }
 }
 
 }  // namespace
@@ -208,18 +287,13 @@ void searchPairs(const Model& m, State& s) {
   TissueState& t = s.tissue;
   SelfWork& w = s.work.self;
   const int turn = static_cast<int>(s.step % kPairRound), before = t.pairCount;
-  const Grid grid(m, t.position);
+  const VertexGrid grid(m, t.position);
   takeOut(turn, t, w);
-  fillGrid(m, t, grid, w);
   std::fill(w.ring.begin(), w.ring.end(), -1);   // no mark of an earlier step counts
-  int next = 0;
-  for (int f = turn; f < static_cast<int>(m.surface.triangles.size()); f += kPairRound) {
-    markRing(m, f, w);
-    keepLoaded(f, next, s);
-    Face face = faceOf(m, t.position, grid, f);
-    face.next = next;
-    searchFace(m, face, s);
-  }
+  NearPairs& list = w.nearby[turn];
+  const bool calm = stayed(m, t.position, list);
+  if (calm && list.whole) searchList(m, grid, turn, s);
+  else searchCells(m, grid, turn, calm || list.used ? listScope(list) : Scope{}, s);
   for (int i = t.pairCount; i < before; ++i) { t.pairVertex[i] = t.pairTriangle[i] = -1; t.pairForce[i] = 0.0; }
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 /// Tissue against itself: which surface vertices are so near to which triangles that a contact may follow. The search is spread over
-/// kPairRound steps, every kPairRound-th triangle in each, so that no step pays for all of it. Nothing else is carried from step to step: a
-/// turn looks at the vertices where they are now. Physics thread; no heap.
+/// kPairRound steps, every kPairRound-th triangle in each, so that no step pays for all of it. Nothing that changes the outcome is carried
+/// from step to step: a turn looks at the vertices where they are now. Where nothing has moved far it looks at a list of its last search
+/// instead of the cells, and finds the same pairs in the same order. Physics thread; no heap.
 ///
 /// A vertex that comes nearer than kPairReach between two looks is found while it is no deeper than kPairBehind, whatever closes
 /// slower than (kPairReach + kPairBehind) / kPairRound: 0.27 m/s at a step of 1 ms.
@@ -13,10 +14,11 @@
 
 namespace halsted {
 
-inline constexpr int kPairRound = 8;             // [1] steps after which every triangle has been looked at
+inline constexpr int kPairRound = SelfWork::kRound;
 inline constexpr double kPairReach = 1.2e-3;     // [m] a vertex this near to a triangle is watched
 inline constexpr double kPairBehind = 1.0e-3;    // [m] half a wall: deeper, the vertex belongs to the other side
 inline constexpr double kPairAside = 0.5e-3;     // [m] and no farther than this from the triangle within its plane
+inline constexpr double kPairDrift = 0.4e-3;     // [m] a list of near pairs holds while every vertex is this near to where it was
 
 struct PairGap {
   bool near = false;                             // to be watched

@@ -80,7 +80,7 @@ void answerLoads(const Model& m, TissueWork& w, std::vector<double>& load) {
     row[1] = row[2] = row[3] = 0.0;
   }
   solveFactor(p, w.rows.data());
-  for (int i = 0; i < p.size; ++i) load[i] = m.tissue.isFixed[i] ? 0.0 : std::fmax(w.rows[4 * p.permutation[i]], compliance(p, i, i));
+  for (int i = 0; i < p.size; ++i) load[i] = m.tissue.isFixed[i] ? 0.0 : std::fmax(w.rows[4 * p.permutation[i]], p.self[i]);
 }
 
 void solvePairs(const Model& m, State& s) {

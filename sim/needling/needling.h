@@ -44,6 +44,7 @@ struct NeedlingState {
   ShaftFriction friction;
   TipCut cut;
   Winding winding;
+  std::array<double, kLayers> inside{};        // [m] shaft in each layer
 };
 
 struct NeedlingInput { ToolSample needle, finger; };   // the needle's tool frame has its origin at the tip, +z toward the hand
@@ -55,6 +56,7 @@ struct NeedlingOutput {
   double frictionForce = 0.0, cutForce = 0.0, dampingForce = 0.0;   // [N] outward along the needle
   std::array<double, kLayers> inside{};        // [m] shaft in each layer
   int punctured = -1;                          // layer that gave way in this step
+  double lostSurfaceForce = 0.0;               // [N] of its force net, which fell away
   bool leftSkin = false;
 };
 

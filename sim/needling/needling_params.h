@@ -33,6 +33,8 @@ struct NeedlingParams {
       {8.4e-3, 80.0, 1.0e-3, 4, 1000.0, 0.04, 3.0, 0.02},       // fat (design)
       {39.0e-3, 230.0, 2.5e-3, 10, 3000.0, 0.15, 6.0, 0.04}}};  // muscle fascia (design)
   double needleRadius = 0.125e-3;              // [m] 0.25 mm needle; physics.md D
+  double needleLength = 40e-3;                 // [m] shaft; 25 to 75 mm, physics.md D
+  double handleLength = 22e-3, handleRadius = 0.55e-3;   // [m] wound copper wire (design)
   double springbackTime = 0.08;                // [s] from puncture to rest; physics.md A3 f: 50 to 100 ms
   double shaftStiffness = 400.0;               // [N/m] tissue held by the shaft, before it slips (design)
   double staticRatio = 1.3;                    // [1] static over sliding friction (design)
@@ -49,6 +51,9 @@ struct NeedlingParams {
   double graspWind = 0.035;                    // [1/rad] tuned: 16 turns one way reach the most
   double graspUnwind = 0.0233;                 // [1/rad] tuned: + 52 % after the same turning back and forth (Langevin 2001)
   double graspTime = 60.0;                     // [s] relaxation (design)
+  // A stroke within these counts as one; physics.md C3.
+  double liftLeast = 2e-3, liftMost = 10e-3;   // [m] lifting and thrusting
+  double twirlLeast = 1.0, twirlMost = 3.5;    // [rad] 60 to 180 degrees, and a tenth more
   double fingerRadius = 8e-3;                  // [m] pressing finger
   double fingerStiffness = 400.0;              // [N/m] 2 a E*, E = 20 kPa in vivo, physics.md D
 };

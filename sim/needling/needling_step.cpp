@@ -7,6 +7,7 @@ namespace halsted {
 namespace {
 
 constexpr double kCutBlend = 0.5e-3;           // [m] of shaft in a layer until the tip cuts with that layer's force (design)
+constexpr double kContactDamping = 0.4;        // [N s/m] of the device while touching, as for every tool (sim/tools/local_contact.cpp)
 constexpr double kSteepest = 0.1;              // [1] cosine: a needle that lies flatter on the skin does not go in
 
 bool usable(const ToolSample& sample) {
@@ -16,16 +17,17 @@ bool usable(const ToolSample& sample) {
 Mat3 along(const Vec3& a) { return a * a.transpose(); }
 
 /// Nothing touched: the plane of the skin says where touching would begin.
-void feelNothing(const SurfaceFrame& foot, const Vec3& at, double gap, LocalContact& c) {   // gap [m]
+struct Onset { double gap = 0.0, pressed = 0.0, stiffness = 0.0; };   // [m] to the skin; skin below its rest; [N/m] that waits there
+void feelNothing(const SurfaceFrame& foot, const Vec3& at, const Onset& onset, LocalContact& c) {
   constexpr double kNear = 5e-3;               // [m]
   c.position = at;
   c.force.setZero();
-  c.stiffness.setZero();
+  c.stiffness = onset.stiffness * Mat3::Identity();
   c.damping.setZero();
   c.touching = false;
-  c.ahead = gap < kNear;
+  c.ahead = onset.gap < kNear;
   c.planeCount = c.ahead ? 1 : 0;
-  c.planes[0] = {foot.position, foot.normal};
+  c.planes[0] = {foot.position - onset.pressed * foot.normal, foot.normal};
 }
 
 void beginContact(const NeedlingState& s, const ToolSample& sample, LocalContact& c) {
@@ -42,23 +44,25 @@ void stepFinger(const NeedlingModel& m, const ToolSample& sample, NeedlingState&
   s.fingerDepth = std::max(0.0, depth);
   s.fingerPlace = f.position;
   s.fingerNormal = f.normal;
-  feelNothing(f, sample.pose.position, -depth, out);
+  feelNothing(f, sample.pose.position, {-depth, 0.0, m.params.fingerStiffness}, out);
   if (depth <= 0.0) return;
   out.touching = true;
   out.ahead = false;
   out.force = m.params.fingerStiffness * depth * f.normal;
   out.stiffness = m.params.fingerStiffness * along(f.normal);
+  out.damping = kContactDamping * Mat3::Identity();
 }
 
 /// The skin at rest below the tip; a dimple begins when the tip is below it.
 bool touchSkin(const NeedlingModel& m, const Vec3& tip, NeedlingState& s, LocalContact& out) {
   const SurfaceFrame f = nearestPoint(m.surface[0], tip, s.skinUnit, 2);
   s.skinUnit = f.unit;
-  s.depth = -(tip - f.position).dot(f.normal) - pressedDepth(m, s, f.position);
-  feelNothing(f, tip, -s.depth, out);
-  if (!(s.depth > 0.0)) return false;
+  const double pressed = pressedDepth(m, s, f.position);     // [m]
+  s.depth = -(tip - f.position).dot(f.normal) - pressed;
   s.contact = f.position;
   s.outward = f.normal;
+  feelNothing(f, tip, {-s.depth, pressed, netStiffness(m.net[0], 0.0)}, out);
+  if (!(s.depth > 0.0)) return false;
   s.axis = -f.normal;
   layNet(m, 0, f, s);
   return true;
@@ -112,7 +116,7 @@ bool dimpleSkin(const NeedlingModel& m, const ToolSample& sample, NeedlingState&
   }
   const bool steep = (sample.pose.orientation * Vec3::UnitZ()).dot(s.outward) > kSteepest;
   if (s.depth >= m.net[0].punctureDepth && steep) {
-    pressNet(m, 0, s.depth, s);
+    out.lostSurfaceForce = pressNet(m, 0, s.depth, s);
     enterSkin(m, sample, pressed, s);
     out.punctured = 0;
     return true;
@@ -126,7 +130,7 @@ bool dimpleSkin(const NeedlingModel& m, const ToolSample& sample, NeedlingState&
   out.needle.position = tip;
   out.needle.force = out.surfaceForce * s.outward + side;
   out.needle.stiffness = stiffness * Mat3::Identity();
-  out.needle.damping.setZero();
+  out.needle.damping = kContactDamping * Mat3::Identity();
   return false;
 }
 
@@ -144,6 +148,7 @@ void pressNextLayer(const NeedlingModel& m, NeedlingState& s, NeedlingOutput& ou
   l.phase = LayerPhase::kPunctured;
   l.since = 0.0;
   out.punctured = k;
+  out.lostSurfaceForce = force;
 }
 
 /// Rotation about the needle's axis since the last step, from the vector part of the difference: sin of half, by its series.
@@ -169,7 +174,9 @@ ShaftLoad loadOf(const NeedlingModel& m, const NeedlingState& s, const std::arra
 
 void writeShaftContact(const NeedlingModel& m, const ShaftLoad& load, const Vec3& side, NeedlingState& s, LocalContact& c) {
   const Mat3 axial = along(s.axis);
-  double stiffness = s.friction.slid > 0.0 || !(load.friction > 0.0) ? 0.0 : m.params.shaftStiffness;   // [N/m]
+  // What the next millisecond of travel adds to the spring: all of it while the shaft holds, the share that the drag keeps while it slides.
+  const double kept = s.friction.slid > 0.0 ? load.damping / (load.damping + m.params.shaftStiffness * m.params.dt) : 1.0;   // [1]
+  double stiffness = load.length > 0.0 ? kept * m.params.shaftStiffness : 0.0;   // [N/m]
   if (s.cut.force > 0.0 && s.cut.force < 0.999 * load.cut) stiffness += m.params.tipStiffness;
   for (int k = 1; k < kLayers; ++k)
     if (s.layers[k].phase == LayerPhase::kDimpled) stiffness += netStiffness(m.net[k], dimple(s, k));
@@ -179,7 +186,7 @@ void writeShaftContact(const NeedlingModel& m, const ShaftLoad& load, const Vec3
   c.planeCount = 0;
   c.position = s.entry + s.depth * s.axis + side;
   c.stiffness = stiffness * axial + sideways * (Mat3::Identity() - axial);
-  c.damping = load.damping * axial;
+  c.damping = kContactDamping * Mat3::Identity();
 }
 
 void withdraw(NeedlingState& s, NeedlingOutput& out) {
@@ -188,6 +195,7 @@ void withdraw(NeedlingState& s, NeedlingOutput& out) {
   s.cut = {};
   s.winding = {};
   s.pressed = 0.0;
+  s.inside.fill(0.0);
   out.leftSkin = true;
 }
 
@@ -205,14 +213,14 @@ void moveInside(const NeedlingModel& m, const ToolSample& sample, NeedlingState&
     if (s.layers[k].phase == LayerPhase::kPunctured) releaseNet(m, k, share * s.friction.force, s);
   }
   pressNextLayer(m, s, out);
-  out.inside = shaftInside(s);
+  out.inside = s.inside = shaftInside(s);
   const double turn = turnAbout(s.axis, s.needleTurn, sample.pose.orientation);   // [rad]
   s.needleTurn = sample.pose.orientation;
   const double lengthBefore = s.winding.length;                    // [m]
   const double length = out.inside[0] + out.inside[1] + out.inside[2];   // [m]
   windShaft(m.params, turn, length, s.winding);
   const ShaftLoad load = loadOf(m, s, out.inside);
-  slideShaft(m.params, travel, load.friction, s.friction);
+  slideShaft(m.params, travel, {load.friction, load.damping}, s.friction);
   advanceTip(m.params, depth - pressed, load.cut, s.cut);
   // New length goes in where the needle is: it does not push sideways.
   Vec3 side = offset - depth * s.axis;         // [m]
@@ -221,9 +229,9 @@ void moveInside(const NeedlingModel& m, const ToolSample& sample, NeedlingState&
     s.entry += moved;
     side -= moved;
   }
-  out.frictionForce = s.friction.force;
+  out.frictionForce = s.friction.force - s.friction.drag;
   out.cutForce = s.cut.force;
-  out.dampingForce = load.damping * sample.velocity.dot(s.axis);
+  out.dampingForce = s.friction.drag;
   out.torque = s.winding.torque;
   writeShaftContact(m, load, side, s, out.needle);
   out.needle.force = -(out.surfaceForce + out.frictionForce + out.cutForce + out.dampingForce) * s.axis -
@@ -246,7 +254,7 @@ void stepNeedle(const NeedlingModel& m, const ToolSample& sample, NeedlingState&
 }  // namespace
 
 void stepNeedling(const NeedlingModel& m, const NeedlingInput& in, NeedlingState& s, NeedlingOutput& out) {
-  out.torque = out.surfaceForce = out.frictionForce = out.cutForce = out.dampingForce = 0.0;
+  out.torque = out.surfaceForce = out.frictionForce = out.cutForce = out.dampingForce = out.lostSurfaceForce = 0.0;
   out.inside.fill(0.0);
   out.punctured = -1;
   out.leftSkin = false;

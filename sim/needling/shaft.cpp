@@ -24,15 +24,20 @@ double angleAt(const NeedlingParams& p, double scale, double bound, double angle
 
 }  // namespace
 
-void slideShaft(const NeedlingParams& p, double travel, double bound, ShaftFriction& f) {
+void slideShaft(const NeedlingParams& p, double travel, const ShaftBound& bound, ShaftFriction& f) {
   if (size(travel) < p.stillSpeed * p.dt) f.slid = 0.0;
   const double weak = std::max(0.0, 1.0 - f.slid / p.weakening);                      // [1]
-  const double limit = bound * (1.0 + (p.staticRatio - 1.0) * weak) / p.shaftStiffness;   // [m]
+  const double limit = bound.sliding * (1.0 + (p.staticRatio - 1.0) * weak) / p.shaftStiffness;   // [m]
   f.held += travel;
+  f.drag = 0.0;
   const double beyond = size(f.held) - limit;  // [m]
   if (beyond > 0.0) {
-    f.held = f.held < 0.0 ? -limit : limit;
-    f.slid += std::min(beyond, size(travel));   // not what the weaker bound lets go: that would feed itself
+    // Implicit: k (beyond - slip) = viscous slip / dt.
+    const double spring = p.shaftStiffness * p.dt, slip = beyond * spring / (spring + bound.viscous);   // [N s/m], [m]
+    const double side = f.held < 0.0 ? -1.0 : 1.0;       // [1]
+    f.held -= side * slip;
+    f.drag = side * p.shaftStiffness * (beyond - slip);
+    f.slid += std::min(slip, size(travel));    // not what the weaker bound lets go: that would feed itself
   }
   f.force = p.shaftStiffness * f.held;
 }

@@ -5,14 +5,18 @@
 
 namespace halsted {
 
-/// Modified Karnopp friction (Okamura et al. 2004) in the form that a position-driven hand needs (Hayward and Armstrong 2000): at rest
-/// the shaft holds the tissue by a spring up to the static bound; beyond it slides, and the bound weakens to the sliding one.
+/// Modified Karnopp friction (Okamura et al. 2004), a Coulomb and a viscous part, in the form that a position-driven hand needs (Hayward
+/// and Armstrong 2000): the shaft holds the tissue by a spring. Up to the static bound it stays; beyond, it slides, the bound weakens to
+/// the sliding one, and what the spring carries above it is the viscous part of the sliding speed. At a steady speed v the force is
+/// bound + viscous v; a device is never asked for more than the spring, which no explicit damping of 40 N s/m on its 45 g could be.
 struct ShaftFriction {
   double held = 0.0;                           // [m] tissue carried along, positive inward
   double slid = 0.0;                           // [m] since it last stood still
   double force = 0.0;                          // [N] on the needle along the axis, positive outward
+  double drag = 0.0;                           // [N] the viscous part of it
 };
-void slideShaft(const NeedlingParams&, double travel, double bound, ShaftFriction&);   // travel [m], bound [N] sliding friction
+struct ShaftBound { double sliding = 0.0, viscous = 0.0; };   // [N], [N s/m]
+void slideShaft(const NeedlingParams&, double travel, const ShaftBound&, ShaftFriction&);   // travel [m]
 
 /// The cut goes on only where no cut was before.
 struct TipCut {

@@ -84,7 +84,7 @@ class Search {
       if (place < 0.0) continue;
       const double squared = (point - curvePoint(state_.position, curveWeights(other, place))).squaredNorm();   // [m^2]
       if (squared > reach * reach) continue;
-      if (work_.near.size() == work_.near.capacity()) return false;
+      if (work_.near.size() >= kMostNear) return false;
       work_.near.push_back({own, k, other, place, std::sqrt(squared) - 2.0 * model_.radius});
     }
     return true;

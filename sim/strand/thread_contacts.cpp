@@ -8,7 +8,7 @@
 namespace halsted {
 namespace {
 
-constexpr int kMostNear = 16384;               // pairs that the search may find
+constexpr std::size_t kMostPoints = 4 * ThreadContactState::kMaxContacts;   // in a step
 constexpr double kLeave = 0.05;                // [m/s] at which what lies deeper in a tool than its force explains comes out of it
 constexpr double kBond = 0.7;                  // [1] stiffness of the friction bond over that of the squeeze (Mindlin, nu = 0.4)
 
@@ -41,7 +41,7 @@ void indexRecords(const ThreadContactState& state, ThreadContactWork& w) {
 /// Completes a contact whose partner and normal are known, and keeps it if there is room.
 void keepPoint(TouchingPoint& c, ThreadTouch& touch) {
   ThreadContactWork& w = touch.work;
-  if (w.points.size() == w.points.capacity() || (!c.solid && !w.coupled.couple(c.sample.node, c.partner.node))) {
+  if (w.points.size() >= kMostPoints || (!c.solid && !w.coupled.couple(c.sample.node, c.partner.node))) {
     ++touch.state.dropped;
     return;
   }
@@ -171,7 +171,7 @@ ThreadContactWork prepareContactWork(const StrandModel& m, const ThreadContactPa
   w.params = params;
   const int pieces = m.nodes - 2, chunks = (pieces + kPiecesPerChunk - 1) / kPiecesPerChunk;
   w.coupled.resize(m.nodes);
-  w.points.reserve(4 * ThreadContactState::kMaxContacts);
+  w.points.reserve(kMostPoints);
   w.pieceCentre.assign(pieces, Vec3::Zero());
   w.pieceRadius.assign(pieces, 0.0);
   w.chunkCentre.assign(chunks, Vec3::Zero());

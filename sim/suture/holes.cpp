@@ -157,6 +157,15 @@ void dropBite(const Model& m, State& state, int bite) {
     if (state.strand.holes[i].bite == bite) dropHole(m, state, i);
 }
 
+/// Has a tip drawn back come so near to its entry that the channel is no longer than the needle is thick? Then nothing holds it.
+bool drawnBackOut(const Model& m, const StrandState& s, int entry) {
+  if (entry + 1 >= s.holeCount || s.holes[entry].role != static_cast<std::int32_t>(HoleRole::kEntry)) return false;
+  const Hole& tip = s.holes[entry + 1];
+  if (tip.role != static_cast<std::int32_t>(HoleRole::kTip) || tip.bite != s.holes[entry].bite) return false;
+  const bool pulled = tip.force.dot(strandTangent(m.strand, s, tip.coordinate)) > 0.0;
+  return pulled && tip.coordinate - s.holes[entry].coordinate < 2.0 * m.strand.needle.wireRadius;
+}
+
 /// Holes that tore, that the tail left, and that the tip left going backwards: an exit becomes the tip's cut again, an entry closes.
 void removeLeftHoles(const Model& m, State& state, StepOutput& out) {
   StrandState& s = state.strand;
@@ -180,7 +189,7 @@ void removeLeftHoles(const Model& m, State& state, StepOutput& out) {
       h.role = static_cast<std::int32_t>(HoleRole::kTip);
       h.coordinate = tip;
       h.slip = 0;
-    } else if (atTip && h.role == static_cast<std::int32_t>(HoleRole::kEntry)) {
+    } else if (drawnBackOut(m, s, i)) {
       pushEvent(out, {state.step, EventKind::kChannelEmptied, -1, h.bite, 0.0});
       dropBite(m, state, h.bite);
       return;

@@ -16,6 +16,7 @@ struct KnotState {
   double size = 0.0;                           // [m] of thread within the knot, mean of its two strands
   std::array<std::int32_t, 2> toolTurns{};     // [1] signed turns of the thread about each tool
   std::int32_t breaks = 0;                     // places where the thread is parted
+  std::int32_t cuts = 0;                       // of these, with blades
 };
 
 /// Pairs of neighbouring throws of opposite sense: each locks the one before (=). And of the same sense: each lets it slide (x).

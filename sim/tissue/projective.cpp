@@ -46,17 +46,19 @@ void copyFactor(const Sparse& a, ProjectiveModel& p) {
   const Eigen::VectorXd diagonal = ldlt.vectorD();
   p.permutation.resize(p.size);
   for (int i = 0; i < p.size; ++i) p.permutation[i] = ldlt.permutationP().indices()[i];
-  p.columnStart.assign(1, 0);
+  FactorColumns columns;
+  columns.start.assign(1, 0);
   for (int j = 0; j < p.size; ++j) {
     if (!(diagonal[j] > 0.0)) throw std::invalid_argument("tissue: the stiffness matrix is not positive definite");
     for (Sparse::InnerIterator it(lower, j); it; ++it) {
       if (it.row() <= j) continue;
-      p.row.push_back(static_cast<int>(it.row()));
-      p.value.push_back(it.value());
+      columns.row.push_back(static_cast<int>(it.row()));
+      columns.value.push_back(it.value());
     }
-    p.columnStart.push_back(static_cast<int>(p.row.size()));
+    columns.start.push_back(static_cast<int>(columns.row.size()));
     p.inverseDiagonal.push_back(1.0 / diagonal[j]);
   }
+  layOutFactor(columns, p);
 }
 
 /// Three columns of the inverse at a time through the same solve that the step uses.
@@ -75,6 +77,7 @@ void buildInverse(const TissueModel& m, ProjectiveModel& p) {
       for (std::size_t i = 0; i < n; ++i) line[i] = m.isFixed[i] ? 0.0 : rows[static_cast<std::size_t>(p.permutation[i]) * 4 + k];
     }
   }
+  for (int i = 0; i < p.size; ++i) p.self.push_back(compliance(p, i, i));
 }
 
 void buildLanes(const TissueModel& m, ProjectiveModel& p) {

@@ -4,6 +4,7 @@
 /// factored once, the same for x, y and z; unknowns are displacements from rest, zero for fixed particles. physics.md 0.8.
 /// Volume is kept by a pressure per tet that relaxes to lambda tr(R^T F - I) (Uzawa), so the static stiffness is exact; both
 /// terms of the corotated stress are bounded by the rotation, so an inverted tet cannot blow up.
+#include <array>
 #include <vector>
 
 #include "sim/types.h"
@@ -15,12 +16,20 @@ struct TissueModel;
 struct ProjectiveModel {
   static constexpr int kLanes = 4;
   int size = 0;                                // particles
-  // L of P A P^T = L D L^T by columns, strictly lower part.
+  // L of P A P^T = L D L^T in panels of up to four columns side by side that end in the same rows: a row is loaded once for all.
+  struct Panel {
+    int first = 0, width = 0;                  // columns
+    int rows = 0, row = 0, value = 0;          // count, its own columns first; where these begin in `row` and `value`
+  };
   std::vector<int> permutation;                // factor index of each particle
-  std::vector<int> columnStart;                // size + 1
-  std::vector<int> row;                        // row of each entry, ascending within a column
-  std::vector<double> value;                   // [1]
+  std::vector<Panel> panels;                   // ascending columns
+  std::vector<int> row;                        // four times the row of each entry, ascending within a panel
+  std::vector<double> value;                   // [1] [row][column of the panel]; of its own columns only what lies below the diagonal counts
+  // Columns in an order for the way back, two at a time that do not need each other: one addition need not wait for the last.
+  struct Column { int index = 0, row = 0, value = 0, stride = 0, count = 0; };   // entries below the diagonal: where they begin
+  std::vector<std::array<Column, 2>> backward;     // the second is empty (index -1) where there is no other
   std::vector<double> inverseDiagonal;         // [m/N] of D
+  std::vector<double> self;                    // [m/N] per particle: the diagonal of `inverse`
   std::vector<double> inverse;                 // [m/N] dense A^-1, row-major: the compliance seen by contacts
   // Tets in groups of four, struct of arrays: [group][entry][lane]; the last group repeats the last tet with zero weight.
   int groups = 0;
@@ -35,6 +44,15 @@ struct ProjectiveModel {
 
 /// Fills `model.projective`; needs masses, fixed flags, rest inverses and volumes. Throws std::invalid_argument if A is singular.
 void buildProjective(TissueModel& model);
+
+inline constexpr int kPanelColumns = 4;        // what the kernel keeps in registers
+
+/// Lays out a factor given by columns (strictly lower part, rows ascending): panels, and the order of the way back.
+struct FactorColumns {
+  std::vector<int> start, row;                 // start: columns + 1
+  std::vector<double> value;                   // [1]
+};
+void layOutFactor(const FactorColumns&, ProjectiveModel&);
 
 /// Compliance between two particles [m/N].
 inline double compliance(const ProjectiveModel& p, int i, int j) {

@@ -141,22 +141,65 @@ void localStep(const TissueModel& m, TissueState& s, TissueWork& w) {
   for (int g = 0; g < m.projective.groups; ++g) localGroup<Lanes4>(groupData(m, s, w, g));
 }
 
-/// Rows are (x, y, z, 0): four lanes, of which three carry a right-hand side.
+/// Rows are (x, y, z, 0): four lanes, of which three carry a right-hand side. A target sees its columns in ascending order, as when
+/// they come one by one. A push at a few points leaves most panels with nothing to pass on.
+template <int W> HALSTED_INLINE void eliminate(const ProjectiveModel& p, const ProjectiveModel::Panel& panel, double* rows) {
+  const double* value = p.value.data() + panel.value;
+  const int* row = p.row.data() + panel.row;
+  double* own = rows + 4 * panel.first;
+  Lanes4 x[W];
+  bool none = true;
+  for (int r = 0; r < W; ++r) {
+    x[r] = loadLanes<Lanes4>(own + 4 * r);
+    for (int c = 0; c < r; ++c) x[r] = x[r] - value[r * W + c] * x[c];
+    none = none && x[r][0] == 0.0 && x[r][1] == 0.0 && x[r][2] == 0.0 && x[r][3] == 0.0;
+  }
+  if (none) return;
+  for (int r = 1; r < W; ++r) storeLanes(own + 4 * r, x[r]);
+  for (int r = W; r < panel.rows; ++r) {
+    double* target = rows + row[r];
+    Lanes4 sum = loadLanes<Lanes4>(target);
+    for (int c = 0; c < W; ++c) sum = sum - value[r * W + c] * x[c];
+    storeLanes(target, sum);
+  }
+}
+
+HALSTED_INLINE Lanes4 entry(const ProjectiveModel& p, const ProjectiveModel::Column& c, int k, const double* rows) {   // [m] or [N]
+  return p.value[c.value + k * c.stride] * loadLanes<Lanes4>(rows + p.row[c.row + k]);
+}
+
+HALSTED_INLINE void substitute(const ProjectiveModel& p, const ProjectiveModel::Column& a, const ProjectiveModel::Column& b, double* rows) {
+  double *left = rows + 4 * a.index, *right = rows + 4 * b.index;
+  Lanes4 x = loadLanes<Lanes4>(left) * p.inverseDiagonal[a.index], y = loadLanes<Lanes4>(right) * p.inverseDiagonal[b.index];
+  int k = 0;
+  for (const int both = a.count < b.count ? a.count : b.count; k < both; ++k) {
+    x = x - entry(p, a, k, rows);
+    y = y - entry(p, b, k, rows);
+  }
+  for (int i = k; i < a.count; ++i) x = x - entry(p, a, i, rows);
+  for (int i = k; i < b.count; ++i) y = y - entry(p, b, i, rows);
+  storeLanes(left, x);
+  storeLanes(right, y);
+}
+
+HALSTED_INLINE void substitute(const ProjectiveModel& p, const ProjectiveModel::Column& a, double* rows) {
+  Lanes4 x = loadLanes<Lanes4>(rows + 4 * a.index) * p.inverseDiagonal[a.index];
+  for (int k = 0; k < a.count; ++k) x = x - entry(p, a, k, rows);
+  storeLanes(rows + 4 * a.index, x);
+}
+
 HALSTED_INLINE void solveBody(const ProjectiveModel& p, double* rows) {
-  const int* start = p.columnStart.data();
-  const int* row = p.row.data();
-  const double* value = p.value.data();
-  for (int j = 0; j < p.size; ++j) {
-    const Lanes4 x = loadLanes<Lanes4>(rows + 4 * j);
-    for (int e = start[j]; e < start[j + 1]; ++e) {
-      double* target = rows + 4 * row[e];
-      storeLanes(target, loadLanes<Lanes4>(target) - value[e] * x);
+  for (const ProjectiveModel::Panel& panel : p.panels) {
+    switch (panel.width) {
+      case 1: eliminate<1>(p, panel, rows); break;
+      case 2: eliminate<2>(p, panel, rows); break;
+      case 3: eliminate<3>(p, panel, rows); break;
+      default: eliminate<4>(p, panel, rows);
     }
   }
-  for (int j = p.size - 1; j >= 0; --j) {
-    Lanes4 x = loadLanes<Lanes4>(rows + 4 * j) * p.inverseDiagonal[j];
-    for (int e = start[j]; e < start[j + 1]; ++e) x = x - value[e] * loadLanes<Lanes4>(rows + 4 * row[e]);
-    storeLanes(rows + 4 * j, x);
+  for (const auto& pair : p.backward) {
+    if (pair[1].index >= 0) substitute(p, pair[0], pair[1], rows);
+    else substitute(p, pair[0], rows);
   }
 }
 

@@ -3,7 +3,7 @@
 
 /// Overlapping shape matching (Mueller et al. 2005; paper 003) by sums of affine maps (Rivers and James 2007, sec. 4): a particle's
 /// moment m x (q, 1) is formed once and added into its clusters; a cluster's map q -> R q + t is added once into its members. That
-/// is three vector additions a member and way instead of a matrix product.
+/// is three vector additions a member and way instead of a matrix product, and what neighbouring clusters have in common is added once.
 namespace halsted {
 namespace {
 
@@ -13,8 +13,8 @@ constexpr int kMap = ShapeMatchingModel::kMap;  // three rows of four: x, y, z o
 struct Match {
   const ShapeMatchingModel& shape;
   double* rows;                  // x, y, z [m], inverse mass [1/kg] per particle
-  double* moment;                // [kg m^2] and, last column, [kg m], kMap per particle
-  double* map;                   // kMap per cluster: first the summed moments, then rotation [1] and offset [m]
+  double* moment;                // [kg m^2] and, last column, [kg m], kMap per particle, then per shared sum of them
+  double* map;                   // kMap per cluster: first the summed moments, then rotation [1] and offset [m]; then per shared sum
   double* quaternion;            // x, y, z, w [1] per cluster
 };
 
@@ -49,6 +49,15 @@ template <typename L> HALSTED_INLINE void sumMaps(const double* from, const int*
     for (int a = 0; a < 3; ++a) odd[a] = odd[a] + loadLanes<L>(from + offset[k] + 4 * a);
   }
   for (int a = 0; a < 3; ++a) sum[a] = sum[a] + odd[a];
+}
+
+/// The sums that several lists have in common, behind their inputs.
+template <typename L> HALSTED_INLINE void sumShared(const SumPlan& plan, int inputs, double* maps) {
+  double* sum = maps + kMap * inputs;
+  for (std::size_t k = 0; k < plan.shared.size(); k += 2, sum += kMap) {
+    const double *left = maps + plan.shared[k], *right = maps + plan.shared[k + 1];
+    for (int a = 0; a < 3; ++a) storeLanes(sum + 4 * a, loadLanes<L>(left + 4 * a) + loadLanes<L>(right + 4 * a));
+  }
 }
 
 template <typename L> HALSTED_INLINE LaneMat<L> rotationOf(const LaneRows<L>& q) {
@@ -127,12 +136,12 @@ template <typename L> HALSTED_INLINE void moveToGoals(const Match& d, int partic
   for (int i = 0; i < particles; ++i) {
     double* row = d.rows + 4 * i;
     if (row[3] == 0.0) continue;                                       // held in place
-    const int first = s.ownerStart[i], count = s.ownerStart[i + 1] - first;
+    const int first = s.spread.start[i], owners = s.ownerStart[i + 1] - s.ownerStart[i];
     L sum[3];
-    sumMaps<L>(d.map, &s.ownerOffset[first], count, sum);
+    sumMaps<L>(d.map, &s.spread.node[first], s.spread.start[i + 1] - first, sum);
     const L q = loadLanes<L>(&s.rest[4 * i]);
     const LaneRows<L> product = transpose(LaneRows<L>{sum[0] * q, sum[1] * q, sum[2] * q, q});
-    const L goal = (1.0 / count) * (product.x + product.y + product.z + product.w) + origin;
+    const L goal = (1.0 / owners) * (product.x + product.y + product.z + product.w) + origin;
     const L x = loadLanes<L>(row);
     storeLanes(row, x + stiffness * (goal - x));
   }
@@ -142,9 +151,10 @@ template <typename L> HALSTED_INLINE void iterate(const Match& d) {
   const ShapeMatchingModel& s = d.shape;
   const int particles = static_cast<int>(s.share.size()), clusters = static_cast<int>(s.clusterStart.size()) - 1;
   formMoments<L>(d, particles);
+  sumShared<L>(s.gather, particles, d.moment);
   for (int c = 0; c < clusters; ++c) {
     L sum[3];
-    sumMaps<L>(d.moment, &s.memberOffset[s.clusterStart[c]], s.clusterStart[c + 1] - s.clusterStart[c], sum);
+    sumMaps<L>(d.moment, &s.gather.node[s.gather.start[c]], s.gather.start[c + 1] - s.gather.start[c], sum);
     for (int a = 0; a < 3; ++a) storeLanes(d.map + kMap * c + 4 * a, sum[a]);
   }
   for (int c = 0; c < clusters; c += kLanes) {
@@ -152,6 +162,7 @@ template <typename L> HALSTED_INLINE void iterate(const Match& d) {
     const int last = clusters - 1, cluster[kLanes] = {c, c + 1 < last ? c + 1 : last, c + 2 < last ? c + 2 : last, c + 3 < last ? c + 3 : last};
     solveGroup<L>(d, cluster);
   }
+  sumShared<L>(s.spread, clusters, d.map);
   moveToGoals<L>(d, particles);
 }
 
@@ -164,7 +175,7 @@ void predictShapeMatching(const TissueModel& m, std::span<const Vec3> force, Tis
   const ShapeMatchingModel& shape = m.shape;
   const double h = m.dt / shape.substeps;                              // [s]
   double* const scratch = alignRow(w.scratch.data());
-  const Match data{shape, w.rows.data(), scratch, scratch + kMap * m.mass.size(),
+  const Match data{shape, w.rows.data(), scratch, scratch + kMap * (m.mass.size() + shape.gather.shared.size() / 2),
                    s.rotation[0].coeffs().data()};
   for (int k = 0; k < shape.substeps; ++k) {
     beginSubstep(m, force, h, s, w);

@@ -58,8 +58,10 @@ void buildClusters(const TissueModel& m, ShapeMatchingModel& s) {
     s.owner.insert(s.owner.end(), list.begin(), list.end());
     s.ownerStart.push_back(static_cast<int>(s.owner.size()));
   }
-  for (int i : s.member) s.memberOffset.push_back(ShapeMatchingModel::kMap * i);
-  for (int c : s.owner) s.ownerOffset.push_back(ShapeMatchingModel::kMap * c);
+  std::vector<std::vector<int>> members;
+  for (int c = 0; c < particles; ++c) members.emplace_back(s.member.begin() + s.clusterStart[c], s.member.begin() + s.clusterStart[c + 1]);
+  s.gather = planSums(members, particles);
+  s.spread = planSums(owners, particles);
 }
 
 void buildRestShape(const TissueModel& m, ShapeMatchingModel& s) {

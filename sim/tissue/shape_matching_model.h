@@ -11,6 +11,12 @@ namespace halsted {
 struct TissueModel;
 struct TissueParams;
 
+/// Many lists of maps to be summed, with what several of them have in common summed once. A node is an input or a shared sum.
+struct SumPlan {
+  std::vector<int> shared;                     // two nodes each, times kMap; earlier ones only
+  std::vector<int> start, node;                // per list: prefix sums; nodes times kMap
+};
+
 struct ShapeMatchingModel {
   static constexpr int kMembers = 20;          // per cluster, fewer only where the mesh itself is smaller
   static constexpr int kMap = 12;              // doubles of an affine map
@@ -22,13 +28,16 @@ struct ShapeMatchingModel {
   std::vector<int> member;                     // particle indices, ascending within a cluster
   std::vector<int> ownerStart;                 // prefix sums into `owner`, size particles + 1
   std::vector<int> owner;                      // clusters that hold a particle, ascending
-  std::vector<int> memberOffset, ownerOffset;  // kMap times `member` and `owner`
+  SumPlan gather, spread;                      // moments of members into clusters, maps of owners into particles
   // A particle's mass is shared equally among its clusters: then averaging the goals conserves momentum.
   std::vector<double> rest;                    // per particle: x, y, z of rest - origin [m], 1
   std::vector<double> share;                   // [kg] per particle: mass / clusters that hold it
   std::vector<double> restCentroid;            // per cluster: x, y, z of the mass centre - origin [m], 1 / sum of shares [1/kg]
   LanePath path = LanePath::kSerial;           // set by the builder to the widest the CPU has
 };
+
+/// Lists of inputs 0 .. inputs - 1 -> the plan of their sums.
+SumPlan planSums(std::vector<std::vector<int>> lists, int inputs);
 
 /// Fills `model.shape`; needs rest positions, tets and masses.
 void buildShapeMatching(TissueModel& model, const TissueParams&);

@@ -89,8 +89,9 @@ TissueWork prepareWork(const TissueModel& m) {
   w.previous.resize(m.rest.size());
   w.target.resize(m.rest.size());
   w.rows.resize(m.rest.size() * 4);
+  const std::size_t shared = (m.shape.gather.shared.size() + m.shape.spread.shared.size()) / 2;
   w.scratch.resize(std::max(static_cast<std::size_t>(m.projective.groups) * 12 * ProjectiveModel::kLanes,
-                            m.rest.size() * 24 + 4));                  // shape matching: a map per particle and cluster, aligned
+                            (2 * m.rest.size() + shared) * ShapeMatchingModel::kMap + 4));   // a map per particle, cluster and sum, aligned
   return w;
 }
 

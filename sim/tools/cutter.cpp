@@ -28,7 +28,7 @@ bool cutThread(const Model& m, int hand, State& s, StepOutput& out) {
       if (!betweenBlades(s.tools[hand].proxy.inverseApply(p))) continue;
       s.threadContacts.cut[i] = 1;
       s.strand.tension[i] = 0.0;
-      ++s.metrics.threadCuts;
+      ++s.knot.cuts;
       pushEvent(out, {s.step, EventKind::kThreadCut, hand, i, 0.0});
       return true;
     }

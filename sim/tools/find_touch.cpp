@@ -14,11 +14,12 @@ constexpr double kMargin = 0.3e-3;             // [m] contacts are made before t
 constexpr double kMerge = 0.4e-3;              // [m] contact points closer than this are one
 constexpr double kBehind = 1.0e-3;             // [m] half a wall: deeper, the other side is nearer
 constexpr double kTriangleReach = 6e-3;        // [m] longest edge to expect when rejecting triangles
+constexpr double kMostBack = 2e-3;             // [m] how far a tool that loses its contacts is looked after
 
 struct Found {
   TouchPoint point;
   bool ok = false;
-  bool beside = false;                         // the axis passes the triangle's edge at its own level: it is in front of a neighbour, or free
+  bool sunk = false;                           // the axis lies below the triangle: the tool has sunk into it
 };
 
 /// Contact of a capsule with one triangle; the normal pushes the tissue out of the tool.
@@ -26,7 +27,8 @@ Found touchOf(const Model& m, const CapsuleShape& c, int triangle, std::span<con
   Found f;
   const auto& v = m.surface.triangles[triangle];
   const Vec3 &a = x[v[0]], &b = x[v[1]], &d = x[v[2]];
-  if ((a - (c.a + closestOnSegment(a, c.a, c.b) * (c.b - c.a))).squaredNorm() > (c.radius + kTriangleReach) * (c.radius + kTriangleReach)) return f;
+  const double reject = c.radius + margin + kTriangleReach;      // [m]
+  if ((a - (c.a + closestOnSegment(a, c.a, c.b) * (c.b - c.a))).squaredNorm() > reject * reject) return f;
   const SegmentTriangle near = closestSegmentTriangle(c.a, c.b, a, b, d);
   const double distance = std::sqrt(near.squaredDistance);
   if (distance > c.radius + margin) return f;
@@ -39,7 +41,8 @@ Found touchOf(const Model& m, const CapsuleShape& c, int triangle, std::span<con
     f.point.normal = (on - axis) / distance;
     f.point.gap = distance - c.radius;
   } else if (height > -kBehind) {
-    f.beside = 2.0 * height * height < near.squaredDistance - 1e-18;
+    if (2.0 * height * height < near.squaredDistance - 1e-18) return f;   // passes the edge at the face's own level: it is in front of a neighbour, or free
+    f.sunk = true;
     f.point.normal = -outward;
     f.point.gap = height - c.radius;
   } else {
@@ -77,11 +80,19 @@ void insert(const TouchPoint& fresh, int first, TouchWork& w) {
   if (fresh.gap < w.point[shallow].gap) w.point[shallow] = fresh;
 }
 
+/// Contacts of the last step, and which of them are already continued by a point of this one.
+using Continued = std::array<bool, ToolState::kMaxContacts>;
+
+/// A penetration that the step began with is taken back at this pace, so that no contact pushes with more than the hand and the tissue
+/// give: what is found deep inside (jaws that opened there, a face that came nearer than another) must not be flung out in a step.
+constexpr double kRecover = 0.1e-3;            // [m] a step
+
 /// Carries the force of the last step over when the same triangle was touched; friction needs how far the tissue slid.
-void carryOver(const Model& m, const Pose& before, const State& s, TouchPoint& p) {
+void carryOver(const Model& m, const Pose& before, const State& s, Continued& continued, TouchPoint& p) {
   const ToolState& t = s.tools[p.hand];
   for (int i = 0; i < t.contactCount; ++i) {
-    if (t.contactTriangle[i] != p.triangle) continue;
+    if (continued[i] || t.contactTriangle[i] != p.triangle) continue;
+    continued[i] = true;
     p.old = t.contactForce[i];
     p.force = p.old.dot(p.normal) > 0.0 ? p.old : Vec3::Zero();
     break;
@@ -89,18 +100,17 @@ void carryOver(const Model& m, const Pose& before, const State& s, TouchPoint& p
   const Vec3 moved = pointOn(m.surface, s.tissue.position, p.triangle, p.weight) - pointOn(m.surface, s.work.tissue.previous, p.triangle, p.weight);
   const Vec3 local = t.proxy.inverseApply(p.toolPoint);
   const Vec3 slide = moved - (p.toolPoint - before.apply(local));
-  p.slide = slide - slide.dot(p.normal) * p.normal;
+  const double apart = slide.dot(p.normal);    // [m]
+  p.slide = slide - apart * p.normal;
+  p.gap = std::fmax(p.gap, std::fmin(apart, 0.0) - kRecover);
 }
 
 /// Contacts of the last step that were not found again: their force goes, and the tissue's answer to that belongs to this solve.
-void addGone(int hand, int first, State& s) {
+void addGone(int hand, const Continued& continued, State& s) {
   const ToolState& t = s.tools[hand];
   TouchWork& w = s.work.touch;
-  const int end = w.count;
   for (int i = 0; i < t.contactCount; ++i) {
-    bool found = false;
-    for (int k = first; k < end; ++k) found = found || w.point[k].triangle == t.contactTriangle[i];
-    if (found) continue;
+    if (continued[i]) continue;
     TouchPoint p;
     p.hand = hand;
     p.gone = true;
@@ -111,11 +121,42 @@ void addGone(int hand, int first, State& s) {
   }
 }
 
+/// A tool leaves tissue by the side it came in: it can have sunk below a face only where that face, or one beside it, held it in the
+/// last step.
+bool cameIn(const Model& m, const ToolState& t, const TouchPoint& p) {
+  constexpr double kSameSide = 0.3;            // [1] cosine
+  for (int i = 0; i < t.contactCount; ++i) {
+    if (t.contactNormal[i].dot(p.normal) < kSameSide) continue;
+    for (int u : m.surface.triangles[t.contactTriangle[i]])
+      for (int v : m.surface.triangles[p.triangle])
+        if (u == v) return true;
+  }
+  return false;
+}
+
+/// How far [m] the coupling would draw the tool toward this point, back to the device, if all contacts let go.
+double drawnBack(const Model& m, const ToolState& t, const TouchPoint& p) {
+  return std::fmin(kMostBack, std::fmax(0.0, -t.force.dot(p.normal) / m.params.tools[p.hand].couplingStiffness));
+}
+
 /// A normal that nearly coincides with one already taken would push twice.
 bool looksElsewhere(const Vec3& normal, std::span<const TouchPoint> taken) {
   constexpr double kSameWay = 0.7;             // [1] cosine
   for (const TouchPoint& p : taken)
     if (p.normal.dot(normal) > kSameWay) return false;
+  return true;
+}
+
+/// Triangles whose first corner lies within the capsule; false when there are more than the list holds.
+bool listNear(const Model& m, const State& s, const CapsuleShape& around, ToolState& t) {
+  t.nearCount = 0;
+  for (std::size_t f = 0; f < m.surface.triangles.size(); ++f) {
+    const Vec3& x = s.tissue.position[m.surface.triangles[f][0]];
+    const Vec3 axis = around.a + closestOnSegment(x, around.a, around.b) * (around.b - around.a);
+    if ((x - axis).squaredNorm() >= around.radius * around.radius) continue;
+    if (t.nearCount == ToolState::kMaxNear) return false;
+    t.nearTriangle[t.nearCount++] = static_cast<std::int32_t>(f);
+  }
   return true;
 }
 
@@ -126,13 +167,9 @@ void refreshNear(const Model& m, int hand, State& s) {
   if (s.step % kRefreshInterval != static_cast<unsigned>(hand)) return;
   const ToolParams& p = m.params.tools[hand];
   const Vec3 tip = t.proxy.position, top = t.proxy.apply(Vec3(0.0, 0.0, p.jawLength + p.shaftLength));
-  const double reach = p.shaftRadius + kNearReach;
-  t.nearCount = 0;
-  for (std::size_t f = 0; f < m.surface.triangles.size() && t.nearCount < ToolState::kMaxNear; ++f) {
-    const Vec3& x = s.tissue.position[m.surface.triangles[f][0]];
-    const Vec3 axis = tip + closestOnSegment(x, tip, top) * (top - tip);
-    if ((x - axis).squaredNorm() < reach * reach) t.nearTriangle[t.nearCount++] = static_cast<std::int32_t>(f);
-  }
+  // Where the list would overflow (a shaft lying along a finely meshed wall) the farthest are left out, not the last by index.
+  for (double reach = p.shaftRadius + kNearReach;; reach *= 0.9)
+    if (listNear(m, s, {tip, top, reach}, t)) break;
   for (int i = t.nearCount; i < ToolState::kMaxNear; ++i) t.nearTriangle[i] = -1;
 }
 
@@ -140,19 +177,22 @@ void findContacts(const Model& m, int hand, const Pose& before, State& s) {
   const ToolState& t = s.tools[hand];
   TouchWork& w = s.work.touch;
   const int first = w.count;
+  const double back = std::fmin(kMostBack, t.force.norm() / m.params.tools[hand].couplingStiffness);   // [m]
   const auto capsules = toolCapsules(m.params.tools[hand], t.jaw);
   for (int c = 0; c < kSolidsPerTool; ++c) {
     const CapsuleShape capsule = placed(capsules[c], t.proxy);
     for (int i = 0; i < t.nearCount; ++i) {
       if (isHeld(m, t, t.nearTriangle[i])) continue;
-      Found f = touchOf(m, capsule, t.nearTriangle[i], s.tissue.position, kMargin);
-      if (!f.ok || (f.beside && t.closed && t.graspCount == 0)) continue;   // jaws that take tissue between them lean on its edges
+      Found f = touchOf(m, capsule, t.nearTriangle[i], s.tissue.position, kMargin + back);
+      if (!f.ok || (f.sunk && !cameIn(m, t, f.point))) continue;
       f.point.hand = hand;
+      if (f.point.gap > kMargin + drawnBack(m, t, f.point)) continue;
       if (!merged(m, f.point, s.tissue.position, first, w)) insert(f.point, first, w);
     }
   }
-  for (int i = first; i < w.count; ++i) carryOver(m, before, s, w.point[i]);
-  addGone(hand, first, s);
+  Continued continued{};
+  for (int i = first; i < w.count; ++i) carryOver(m, before, s, continued, w.point[i]);
+  addGone(hand, continued, s);
 }
 
 int findAhead(const Model& m, int hand, const State& s, double margin, std::span<TouchPoint> found) {   // [m]
@@ -167,7 +207,7 @@ int findAhead(const Model& m, int hand, const State& s, double margin, std::span
       const CapsuleShape capsule = placed(shape, t.proxy);
       for (int i = 0; i < t.nearCount; ++i) {
         const Found f = touchOf(m, capsule, t.nearTriangle[i], s.tissue.position, margin);
-        if (!f.ok || f.beside || f.point.gap >= best.gap || !looksElsewhere(f.point.normal, found.first(count))) continue;
+        if (!f.ok || f.sunk || f.point.gap >= best.gap || !looksElsewhere(f.point.normal, found.first(count))) continue;
         best = f.point;
         more = true;
       }

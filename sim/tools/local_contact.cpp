@@ -11,6 +11,23 @@ namespace {
 constexpr double kTautStiffness = 400.0;       // [N/m] a taut thread along its pull: the tissue at its last hole gives
 constexpr double kDamping = 0.4;               // [N s/m] while touching: b > K T / 2 for 0.8 N/mm at 1 kHz (Colgate and Schenkel 1997)
 
+constexpr double kLeastGive = 1e-6;            // [m/N] of what is held in place
+
+/// What one hole gives when all of them are pushed alike [m/N]. Asked at the end of the step, when holes have come, gone and moved up.
+double holeGive(const Model& m, const StrandState& s, int hole) {
+  double sum = 0.0;                            // [m/N]
+  const Hole& a = s.holes[hole];
+  for (int k = 0; k < s.holeCount; ++k) {
+    const Hole& b = s.holes[k];
+    double pair = 0.0;                         // [m/N]
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j)
+        pair += a.weight[i] * b.weight[j] * compliance(m.tissue.projective, m.tissue.tets[a.tet][i], m.tissue.tets[b.tet][j]);
+    sum += std::fabs(pair);
+  }
+  return std::fmax(sum, kLeastGive);
+}
+
 /// Stiffness of the needle's holes against a translation of the hand that holds the needle [N/m].
 Mat3 needleStiffness(const Model& m, const State& s) {
   Mat3 k = Mat3::Zero();
@@ -19,7 +36,7 @@ Mat3 needleStiffness(const Model& m, const State& s) {
     if (h.coordinate <= m.strand.length) continue;
     const Vec3 t = strandTangent(m.strand, s.strand, h.coordinate);
     const bool sticks = h.slip == 0 && h.role != static_cast<std::int32_t>(HoleRole::kTip);
-    k += (sticks ? Mat3(Mat3::Identity()) : Mat3(Mat3::Identity() - t * t.transpose())) / s.work.holes.bound[i];
+    k += (sticks ? Mat3(Mat3::Identity()) : Mat3(Mat3::Identity() - t * t.transpose())) / holeGive(m, s.strand, i);
   }
   return k;
 }

@@ -8,7 +8,7 @@ namespace halsted {
 
 /// What one hand's jaws hold and feel. Written by sim/tools.
 struct ToolState {
-  static constexpr int kMaxGrasp = 6, kMaxContacts = 24, kMaxNear = 160;
+  static constexpr int kMaxGrasp = 6, kMaxContacts = 24, kMaxNear = 512;
   Pose device;                                 // last sample consumed
   Pose proxy;                                  // where the simulated tool is
   double jaw = 1.0;                            // [1]

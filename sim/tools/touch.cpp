@@ -7,7 +7,9 @@
 namespace halsted {
 namespace {
 
-constexpr int kSweeps = 8;                     // Gauss-Seidel sweeps, started from the forces of the last step
+constexpr int kSweeps = 40;                    // Gauss-Seidel sweeps at most, started from the forces of the last step
+constexpr double kSettled = 1e-3;              // [N] a sweep that changes no force by more than this is the last
+constexpr double kLeastGive = 1e-6;            // [m/N] of tissue that is held in place
 
 double tissueCompliance(const Model& m, const TouchPoint& a, const TouchPoint& b) {
   const auto &u = m.surface.triangles[a.triangle], &v = m.surface.triangles[b.triangle];
@@ -42,14 +44,18 @@ Vec3 limited(const Vec3& v, double limit) {
   return length > limit ? Vec3(limit / length * v) : v;
 }
 
-void sweep(const Model& m, TouchWork& w) {
+/// One sweep over all points; returns the square of the largest change of a force.  [N^2]
+double sweep(const Model& m, TouchWork& w) {
+  double largest = 0.0;                        // [N^2]
   for (int i = 0; i < w.count; ++i) {
     TouchPoint& p = w.point[i];
     if (p.gone) continue;
+    const Vec3 last = p.force;
     const Vec3 u = response(w, i);
     const double own = w.compliance[i * TouchWork::kMax + i];
     if (p.grasp) {
       p.force = limited(p.force - (p.slide + u) / own, p.slipLimit);
+      largest = std::fmax(largest, (p.force - last).squaredNorm());
       continue;
     }
     const double normal = p.force.dot(p.normal);
@@ -57,7 +63,9 @@ void sweep(const Model& m, TouchWork& w) {
     const Vec3 tangent = p.force - normal * p.normal;
     const Vec3 slide = p.slide + u - u.dot(p.normal) * p.normal;
     p.force = pushed * p.normal + limited(tangent - slide / own, m.params.contact.toolTissueFriction * pushed);
+    largest = std::fmax(largest, (p.force - last).squaredNorm());
   }
+  return largest;
 }
 
 void addNodal(const Model& m, int triangle, const std::array<double, 3>& weight, const Vec3& f, std::vector<Vec3>& nodal) {
@@ -102,7 +110,7 @@ void solveTouch(const Model& m, const std::array<Pose, kHands>& before, State& s
     findGrasps(m, hand, s);
   }
   fillCompliance(m, s.work.touch);
-  for (int k = 0; k < kSweeps; ++k) sweep(m, s.work.touch);
+  for (int k = 0; k < kSweeps && sweep(m, s.work.touch) > kSettled * kSettled; ++k) {}
   for (const ToolState& t : s.tools) {         // what was carried into the step is replaced by what `store` adds
     for (int i = 0; i < t.contactCount; ++i) addNodal(m, t.contactTriangle[i], t.contactWeight[i], -t.contactForce[i], s.work.change);
     for (int g = 0; g < t.graspCount; ++g) addNodal(m, t.graspTriangle[g], t.graspWeight[g], -t.graspForce[g], s.work.change);
@@ -149,7 +157,7 @@ Mat3 touchStiffness(const Model& m, const State& s, int hand) {
       const TouchPoint& q = w.point[j];
       if (q.hand == hand && (q.grasp || q.force.squaredNorm() > 0.0)) row += std::fabs(tissueCompliance(m, p, q));
     }
-    if (row <= 0.0) continue;
+    row = std::fmax(row, kLeastGive);
     const double normal = p.force.dot(p.normal);
     const double tangential = (p.force - normal * p.normal).norm();
     const bool sticks = tangential < 0.99 * m.params.contact.toolTissueFriction * normal;

@@ -14,31 +14,39 @@ namespace halsted::app {
 namespace {
 
 constexpr int kSteps = 240;                    // a Debug build takes a quarter of a minute for it
+constexpr int kNeedlingSteps = 18000;          // of a few microseconds each: until the needle is twirled
 
-std::string hashesOf(const std::vector<std::string>& overrides) {
-  const Scenario scenario = expertScenario(overrides);
+std::string hashesOf(const Scenario& scenario, int steps) {
   Lockstep run(scenario);
   std::string text;
-  for (int i = 1; i <= kSteps; ++i) {
+  for (int i = 1; i <= steps; ++i) {
     if (!run.advance()) break;
-    if (i % 40 == 0) text += std::to_string(i) + " " + hexadecimal(hash(run.state())) + "\n";
+    if (i % (steps / 6) == 0) text += std::to_string(i) + " " + hexadecimal(hash(run.state())) + "\n";
   }
   return text;
 }
 
-class GoldenHash : public ::testing::TestWithParam<const char*> {};
-
-TEST_P(GoldenHash, IsReachedByEveryCompilerAndBuild) {
-  const std::string solver = GetParam();
-  const std::string path = halsted::testing::sourceFolder() + "/tests/golden/purse_string_" + solver + ".txt";
-  const std::string found = hashesOf({"tissue.solver=" + solver});
+void expectGolden(const std::string& name, const std::string& found) {
+  const std::string path = halsted::testing::sourceFolder() + "/tests/golden/" + name + ".txt";
   if (std::getenv("HALSTED_WRITE_GOLDEN")) halsted::testing::writeText(path, found);
   ASSERT_TRUE(std::filesystem::exists(path));
   EXPECT_EQ(found, halsted::testing::readText(path));
 }
 
-INSTANTIATE_TEST_SUITE_P(PurseString, GoldenHash, ::testing::Values("projective", "xpbd", "shape_matching"),
-                         [](const auto& info) { return std::string(info.param); });
+class SolverHash : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(SolverHash, IsReachedByEveryCompilerAndBuild) {
+  const std::string solver = GetParam();
+  expectGolden("purse_string_" + solver, hashesOf(expertScenario({"tissue.solver=" + solver}), kSteps));
+}
+
+TEST(GoldenHash, OfTheNeedledSlabIsReachedByEveryCompilerAndBuild) {
+  const std::string script = halsted::testing::sourceFolder() + "/scenes/acupuncture/expert.toml";
+  expectGolden("acupuncture_slab", hashesOf(scenarioFromFile(script, {}), kNeedlingSteps));
+}
+
+INSTANTIATE_TEST_SUITE_P(GoldenHash, SolverHash, ::testing::Values("projective", "xpbd", "shape_matching"),
+                         [](const auto& solver) { return std::string(solver.param); });
 
 }  // namespace
 }  // namespace halsted::app

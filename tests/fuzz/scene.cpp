@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const scenes::SceneFile scene = scenes::parseScene(text, "fuzz.toml", "/nonexistent/scene", {});
     const AnatomyParams& anatomy = scene.params.anatomy;
     if (anatomy.around * anatomy.along > 700) return;  // keeps a run short
-    const TetMesh mesh = scenes::buildAnatomy(scene);
+    const TetMesh mesh = scenes::buildAnatomy(scene).mesh;
     for (int t = 0; t < static_cast<int>(mesh.tets.size()); ++t) fuzz::require(volume(mesh, t) > 0.0);
   });
   return 0;

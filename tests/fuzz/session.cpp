@@ -22,9 +22,9 @@ std::string scratchPath() { return "/dev/shm/halsted-fuzz-" + std::to_string(get
 void writeValid(const std::string& path) {
   SessionHeader header;
   header.scene = "purse_string";
-  header.mesh = blockMesh(1, 1, 1, Vec3(0.01, 0.01, 0.01));
-  header.mesh.uv.resize(header.mesh.vertices.size(), Eigen::Vector2d::Zero());
-  header.mesh.triangleLayer.resize(header.mesh.surface.size(), 0);
+  header.anatomy.mesh = blockMesh(1, 1, 1, Vec3(0.01, 0.01, 0.01));
+  header.anatomy.mesh.uv.resize(header.anatomy.mesh.vertices.size(), Eigen::Vector2d::Zero());
+  header.anatomy.mesh.triangleLayer.resize(header.anatomy.mesh.surface.size(), 0);
   SessionWriter writer(path, header);
   for (int i = 0; i < 4; ++i) writer.addStep({}, 1);
   writer.addState(2, {1, 2, 3});

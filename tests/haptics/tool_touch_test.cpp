@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <string>
 
 #include "tests/haptics/wall_loop.h"
 
@@ -51,6 +52,34 @@ TEST(ToolTouch, CreatesNoEnergyAtAnySpeedWhereTheWallIsHeld) {
 }
 
 TEST(ToolTouch, CreatesNoEnergyAtAnySpeedOnBowel) { expectLawsAtAnySpeed(softWall(), WallPress{}); }
+
+/// Soft tissue at its middle, its top edge and its end; the tool stands on the face, or lies along it. Beside what holds it (2 mm from the
+/// foot) the energy keeps its law, the others are missed by a tenth to four tenths: README, what falls short.
+struct SoftPlace {
+  const char* name;
+  double height, along;                          // [m]
+  bool flat;
+};
+
+class SoftPlaces : public testing::TestWithParam<SoftPlace> {};
+INSTANTIATE_TEST_SUITE_P(ToolTouch, SoftPlaces,
+                         testing::Values(SoftPlace{"Middle", 11e-3, 12e-3, false}, SoftPlace{"Rim", 14e-3, 12e-3, false},
+                                         SoftPlace{"End", 11e-3, 22e-3, false}, SoftPlace{"LyingInTheMiddle", 9e-3, 4e-3, true},
+                                         SoftPlace{"LyingAtTheRim", 14e-3, 12e-3, true}),
+                         [](const auto& place) { return std::string(place.param.name); });
+
+TEST_P(SoftPlaces, CreateNoEnergyAtAnySpeed) {
+  WallPress press;
+  press.height = GetParam().height;
+  press.along = GetParam().along;
+  press.flat = GetParam().flat;
+  press.depth = press.flat ? 2e-3 : 3e-3;
+  for (const NamedHand& hand : threeHands())
+    for (const double speed : {0.01, 0.03, 0.1, 0.2, 0.3}) {
+      press.hold = 1.0 + 13e-3 / speed;          // the way there, and a second
+      expectLaws(softWall(), press, hand, speed);
+    }
+}
 
 /// The planes stand where the touch begins: the tool in the air is told how far it may go, and feels nothing before.
 TEST(ToolTouch, PlanesStandWhereTheTouchBegins) {

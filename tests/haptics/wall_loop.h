@@ -10,9 +10,9 @@ namespace halsted::haptics {
 
 inline constexpr double kFace = kWallX + 1.2e-3;   // [m] x of the device when the jaws' end touches the wall
 
-/// Closed jaws at height `z` [m], `gap` [m] before the face x = 4 mm: the shaft stands on the face, or lies along it.
-inline Pose beforeWall(double gap, double z = 11e-3, bool flat = false) {
-  const Vec3 at(kFace + gap, 12e-3, z);
+/// Closed jaws at height `z` [m], `gap` [m] before the face x = 4 mm: the shaft stands on the face, or lies along it and over its end.
+inline Pose beforeWall(double gap, double z = 11e-3, bool flat = false, double y = 12e-3) {   // y [m]
+  const Vec3 at(kFace + gap, y, z);
   return flat ? frame(at, Vec3::UnitZ(), Vec3::UnitX()) : frame(at, Vec3::UnitY(), Vec3::UnitZ());
 }
 
@@ -36,9 +36,10 @@ struct WallPress {
   double depth = 2e-3;                         // [m]
   int delay = 0;                               // steps
   double height = 11e-3;                       // [m] above the foot
+  double along = 12e-3;                        // [m] from the wall's end; its other end is at 24 mm
   bool flat = false;                           // the shaft lies along the wall
   double hold = 2.0;                           // [s]
-  Pose at(double gap) const { return beforeWall(gap, height, flat); }   // [m]
+  Pose at(double gap) const { return beforeWall(gap, height, flat, along); }   // [m]
 };
 
 struct WallResult {
@@ -75,7 +76,7 @@ inline WallResult pressWall(const SimParams& p, const WallPress& press) {
   result.buzz = rmsAbove30Hz(forces, 1000.0, forces.size() - static_cast<std::size_t>(held / 2));
   result.steady = forces.back();
   rig.target.pose = press.at(10e-3);
-  for (int i = 0; i < 800; ++i) advance();
+  for (int i = 0, back = std::max(800, static_cast<int>(1.5 * (10e-3 + press.depth) / press.speed * 1000.0)); i < back; ++i) advance();
   result.leastEnergy = rig.leastEnergy;
   result.energyTaken = rig.energyTaken;
   result.peak = rig.peak;

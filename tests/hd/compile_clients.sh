@@ -12,7 +12,7 @@ include="$root/usr/include"
 lib=$(dirname "$(find "$root/usr" -name libHD.so)")
 count=0
 
-headers() { (cd "$include" && find HD HDU HL -name '*.h' | sort); }
+headers() { (cd "$include" && find HD HDU HL HLU -name '*.h' | sort); }
 
 # Every header alone and twice; with `linux` defined as some programs do.
 for compiler in gcc clang; do
@@ -60,6 +60,13 @@ echo "$ran programs linked"
 # The library says what it is and shows nothing else.
 exported=$(nm -D --defined-only "$lib/libHD.so" | awk '{print $3}' | sort)
 [ "$(echo "$exported" | wc -l)" -eq 36 ] && ! echo "$exported" | grep -qv '^hd[A-Z]' || { echo "FAIL: exports: $exported"; exit 1; }
+others=$(nm -D --defined-only "$lib/libHL.so" | awk '{print $3}')
+! echo "$others" | grep -qvE '^(hl[A-Z]|HL_)' || { echo "FAIL: exports of libHL.so: $others"; exit 1; }
+for function in $(grep -ohE '\bhlu?[A-Z][A-Za-z0-9]*\(' "$include/HL/hl.h" "$include/HLU/hlu.h" | tr -d '('); do
+  nm -D --defined-only "$lib/libHL.so" >"$root/symbols"
+  nm --defined-only "$lib/libHLU.a" >>"$root/symbols" 2>/dev/null
+  grep -q " $function$" "$root/symbols" || { echo "FAIL: $function is declared and not there"; exit 1; }
+done
 readelf -d "$lib/libHD.so" | grep -q 'SONAME.*libHD.so.3.4]'
 readelf -d "$lib/libHD.so" | grep NEEDED | grep -vE 'libstdc\+\+|libm|libgcc_s|libc\.so|ld-linux' && { echo "FAIL: needs more than the system"; exit 1; }
 echo "36 functions exported"

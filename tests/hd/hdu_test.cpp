@@ -133,9 +133,31 @@ TEST(HduGeometry, HasPlanesLinesAndBoxes) {
   box.Union({-1, 5, 0});
   expectNear(box.lo(), {-1, 2, 0});
   expectNear(box.hi(), {1, 5, 3});
+  box.rHi()[0] = 4;
+  EXPECT_TRUE(box.contains({3, 3, 1}));
   EXPECT_EQ(hduClamp(5.0, 0.0, 1.0), 1.0);
   EXPECT_EQ(hduRound(-2.5), -3);
   EXPECT_EQ(hduLerp(2.0, 4.0, 0.25), 2.5);
+}
+
+TEST(HduGeometry, TellsFromWhichSideAPlaneIsMet) {
+  const hduPlaned plane(hduVector3Dd(0, 2, 0), -6.0);                // y = 3, whatever the length of the normal
+  EXPECT_EQ(plane.b(), 1.0);
+  EXPECT_EQ(plane.d(), -3.0);
+  const hduLineSegmentd down({0, 6, 0}, {0, 0, 0}), up({0, 0, 0}, {0, 4, 0}), away({0, 6, 0}, {0, 4, 0}), along({0, 3, 0}, {1, 3, 0});
+  double t = -1.0;
+  EXPECT_EQ(plane.intersectSegmentFront(down, t, 1e-9), hduPlaned::ResultFront);
+  EXPECT_DOUBLE_EQ(t, 0.5);
+  EXPECT_EQ(plane.intersectSegmentBack(down, t, 1e-9), hduPlaned::ResultNone);
+  EXPECT_EQ(plane.intersectSegmentFrontAndBack(up, t, 1e-9), hduPlaned::ResultBack);
+  EXPECT_DOUBLE_EQ(t, 0.75);
+  EXPECT_EQ(plane.intersectSegmentFrontAndBack(away, t, 1e-9), hduPlaned::ResultNone);
+  EXPECT_EQ(plane.intersectSegmentFrontAndBack(along, t, 1e-9), hduPlaned::ResultNone);
+  const hduLined line({0, 6, 0}, {0, 4, 0});
+  EXPECT_EQ(plane.intersectLineFront(line, t, 1e-9), hduPlaned::ResultFront);  // a line goes on behind its points
+  expectNear(line.evalPoint(t), {0, 3, 0});
+  EXPECT_TRUE(line.isParallel(hduLined({5, 0, 0}, {5, 1, 0}), 1e-9));
+  EXPECT_FALSE(line.isParallel(hduLined({5, 0, 0}, {6, 1, 0}), 1e-9));
 }
 
 TEST(HduWorkspace, FitsTheDeviceIntoTheView) {

@@ -53,6 +53,10 @@ TEST_F(HdSettings, SayFileAndLineOfAMistake) {
       {"[[device]]\nname = \"a\"\nstart_mm = [1, 2]\n", ":3: start_mm"},
       {"[[device]]\nname = \"a\"\ncolour = 1\n", ":3: unknown key 'colour'"},
       {"[[device]]\nserial = \"a\"\n", ":1: device: no name"},
+      {"[[device]]\nname = \"a\"\nmotion = \"../../etc/hand.csv\"\n", ":3: motion: a file beside this one"},
+      {"[[device]]\nname = \"a\"\n\"two\\nlines\" = 1\n", "unknown key 'two lines'"},
+      {"# a comment with \xc3\xa4\n[[device]]\nname = \"\xc3\xa4\"\n", ":3: a letter outside ASCII"},
+      {"[!device]]\nname = \"a\"\n", "bad.toml"},
       {"device = 3\n", "no [[device]]"},
       {"[[device\n", ":1:"}};
   for (const auto& [text, message] : kMistakes) {
@@ -78,6 +82,7 @@ TEST_F(HdSettings, MotionFilesSayFileAndLineOfAMistake) {
       {"t_s,x_mm,y_mm,z_mm\n0,0,nan,0\n", ":2: not a number"},
       {"t_s,x_mm,y_mm,z_mm\n0,0,9999,0\n", ":2: position farther than 1 m"},
       {"t_s,x_mm,y_mm,z_mm\n1,0,0,0\n0,0,0,0\n", ":3: time runs backwards"},
+      {"t_s,x_mm,y_mm,z_mm\n-1e308,0,0,0\n1e308,0,0,0\n", ":2: a time that no clock shows"},
       {"t_s,x_mm,y_mm,z_mm,qx,qy,qz,qw\n1,0,0,0,0,0,0,0\n", ":2: not a unit quaternion"},
       {"t_s,x_mm,y_mm,z_mm,buttons\n1,0,0,0,99\n", ":2: buttons"}};
   for (const auto& [text, message] : kMistakes) {

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 
-#include "render/png.h"
 #include "render/renderer.h"
+#include "tests/render/golden_picture.h"
 #include "tests/render/synthetic_scene.h"
 
 namespace halsted::render {
@@ -22,28 +20,10 @@ HudInput noHud() {
   return hud;
 }
 
-/// Share of colour values that differ by more than `tolerance`.
-double difference(const Frame& a, const Frame& b, int tolerance) {
-  if (a.rgba.size() != b.rgba.size()) return 1.0;
-  std::size_t off = 0;
-  for (std::size_t i = 0; i < a.rgba.size(); ++i) off += std::abs(a.rgba[i] - b.rgba[i]) > tolerance;
-  return static_cast<double>(off) / static_cast<double>(a.rgba.size());
-}
-
 class Picture : public testing::Test {
  protected:
   RenderScene scene = syntheticScene();
   RenderSnapshot snapshot = syntheticSnapshot(scene, 1.0, 4);
-
-  /// A change of the picture on purpose: HALSTED_GOLDEN_WRITE=1, then look at the files before committing them.
-  void expectGolden(const Frame& frame, const std::string& name) {
-    const std::string path = (std::filesystem::path(__FILE__).parent_path().parent_path() / "golden" / (name + ".png")).string();
-    if (std::getenv("HALSTED_GOLDEN_WRITE")) writePng(path, frame);
-    ASSERT_TRUE(std::filesystem::exists(path)) << path;
-    const double off = difference(readPng(path), frame, 1);                      // [1]
-    if (off > 0.005) writePng(name + "_now.png", frame);
-    EXPECT_LE(off, 0.005) << name << "_now.png in the working folder shows the difference";
-  }
 };
 
 TEST_F(Picture, LooksAsItDidOpen) {

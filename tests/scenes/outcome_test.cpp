@@ -29,10 +29,8 @@ constexpr std::array<Pose, kHands> kAway{Pose{Vec3(-0.06, 0.02, 0.055), Quat::Id
 /// Gauss: the integral of the pressure times the distance from the axis is twice the pressure times the volume.
 TEST(LumenPressure, DoesTheWorkOfItsVolume) {
   const Model m = modelOf(scenes::proceduralColon(straightTube()));
-  State s = initialState(m, kAway);
-  s.lumenPressure = 1000.0;
   std::vector<Vec3> load(m.mesh.vertices.size(), Vec3::Zero());
-  gatherPressure(m, s, load);
+  gatherPressure(m, initialState(m, kAway), 1000.0, load);
   Vec3 net = Vec3::Zero();                     // [N]
   double work = 0.0;                           // [J]
   std::vector<int> section;
@@ -52,7 +50,7 @@ TEST(LumenPressure, WidensTheTube) {
   StepInput input;
   StepOutput out;
   for (int hand = 0; hand < kHands; ++hand) input.tools[hand].pose = kAway[hand];
-  s.lumenPressure = 20.0 * kPascalPerMmhg;
+  input.lumenPressure = 20.0 * kPascalPerMmhg;
   for (int i = 0; i < 300; ++i) step(m, input, s, out);
   EXPECT_GT(s.metrics.openingArea, 1.02 * m.restOpening);
 }

@@ -10,7 +10,7 @@
 namespace halsted {
 namespace {
 
-struct Anatomy {
+struct Source {
   const char* name;
   const char* file;
   const char* scale;     // [m per unit] as on the command line
@@ -18,13 +18,13 @@ struct Anatomy {
 };
 
 /// The purse-string scene with this anatomy, as `--set` would have it.
-TetMesh build(const Anatomy& anatomy) {
+TetMesh build(const Source& anatomy) {
   const std::string file = std::string(std::getenv("HALSTED_DATA")) + "/colon/" + anatomy.file;
   return scenes::buildAnatomy(scenes::readScene("purse_string", {"anatomy.mesh=" + file, "anatomy.scale=" + std::string(anatomy.scale),
-                                                                 "anatomy.segment=" + std::string(anatomy.segment)}));
+                                                                 "anatomy.segment=" + std::string(anatomy.segment)})).mesh;
 }
 
-class RealAnatomy : public ::testing::TestWithParam<Anatomy> {
+class RealAnatomy : public ::testing::TestWithParam<Source> {
  protected:
   void SetUp() override {
     if (!std::getenv("HALSTED_DATA")) GTEST_SKIP() << "HALSTED_DATA is not set";
@@ -54,15 +54,15 @@ constexpr const char* kPatient = "patient-00020/large-intestine-DSJ-SF-.vtk";
 constexpr const char* kReference = "reference-male/SBU_M_Intestine_Large.obj";
 
 INSTANTIATE_TEST_SUITE_P(All, RealAnatomy,
-                         ::testing::Values(Anatomy{"PatientDefault", kPatient, "0.65e-3", ""},
-                                           Anatomy{"PatientStart", kPatient, "0.65e-3", "start"},
-                                           Anatomy{"PatientRange", kPatient, "0.65e-3", "0.7:0.6"},
-                                           Anatomy{"PatientDistal", "patient-00020/large-intestine-A-DSJ.vtk", "0.65e-3", ""},
-                                           Anatomy{"PatientTransverse", "patient-00020/large-intestine-SF+-HF-.vtk", "0.65e-3", ""},
-                                           Anatomy{"ReferenceDefault", kReference, "1e-3", ""},
-                                           Anatomy{"ReferenceStart", kReference, "1e-3", "start"},
-                                           Anatomy{"ReferenceEnd", kReference, "1e-3", "end"},
-                                           Anatomy{"VisibleHuman", "visible-human-male/large-intestine.vtk", "1e-3", ""}),
+                         ::testing::Values(Source{"PatientDefault", kPatient, "0.65e-3", ""},
+                                           Source{"PatientStart", kPatient, "0.65e-3", "start"},
+                                           Source{"PatientRange", kPatient, "0.65e-3", "0.7:0.6"},
+                                           Source{"PatientDistal", "patient-00020/large-intestine-A-DSJ.vtk", "0.65e-3", ""},
+                                           Source{"PatientTransverse", "patient-00020/large-intestine-SF+-HF-.vtk", "0.65e-3", ""},
+                                           Source{"ReferenceDefault", kReference, "1e-3", ""},
+                                           Source{"ReferenceStart", kReference, "1e-3", "start"},
+                                           Source{"ReferenceEnd", kReference, "1e-3", "end"},
+                                           Source{"VisibleHuman", "visible-human-male/large-intestine.vtk", "1e-3", ""}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 class UnusableAnatomy : public RealAnatomy {};
@@ -73,10 +73,10 @@ TEST_P(UnusableAnatomy, IsRefusedNamingTheFile) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, UnusableAnatomy,
-                         ::testing::Values(Anatomy{"WrongScale", kPatient, "0.65", ""},
-                                           Anatomy{"RingOfAFlexure", "patient-00020/large-intestine-HF--HF.vtk", "0.65e-3", ""},
-                                           Anatomy{"Appendix", "patient-00020/large-intestine-AO-TA.vtk", "0.65e-3", ""},
-                                           Anatomy{"Caecum", "patient-00020/large-intestine-ICVc-AO.vtk", "0.65e-3", ""}),
+                         ::testing::Values(Source{"WrongScale", kPatient, "0.65", ""},
+                                           Source{"RingOfAFlexure", "patient-00020/large-intestine-HF--HF.vtk", "0.65e-3", ""},
+                                           Source{"Appendix", "patient-00020/large-intestine-AO-TA.vtk", "0.65e-3", ""},
+                                           Source{"Caecum", "patient-00020/large-intestine-ICVc-AO.vtk", "0.65e-3", ""}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace

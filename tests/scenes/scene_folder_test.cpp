@@ -32,7 +32,7 @@ struct MeshPaths : ::testing::Test {
 };
 
 TEST_F(MeshPaths, InsideTheFolderAreOpened) {
-  testing::expectWholeWall(scenes::buildAnatomy(read("meshes/tube.obj")));
+  testing::expectWholeWall(scenes::buildAnatomy(read("meshes/tube.obj")).mesh);
   EXPECT_NO_THROW(read("meshes/../meshes/tube.obj"));
 }
 

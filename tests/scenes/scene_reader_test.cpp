@@ -31,7 +31,7 @@ TEST(PurseStringScene, IsReadAndBuilt) {
   EXPECT_EQ(scene.params.thread.nodes, 175);
   EXPECT_DOUBLE_EQ(scene.params.tissue.youngsModulus, 120e3);
   EXPECT_DOUBLE_EQ(scene.camera.fovDegrees, 27.0);
-  testing::expectWholeWall(scenes::buildAnatomy(scene));
+  testing::expectWholeWall(scenes::buildAnatomy(scene).mesh);
 }
 
 TEST(PurseStringScene, HasTheProcedureOfTheSurgeon) {
@@ -126,7 +126,7 @@ TEST(SceneReader, LetsExplicitKeysWinOverTheMaterial) {
 TEST(SceneReader, GivesTheSameSceneFromTheTextItKept) {
   const SceneFile first = scenes::readScene("purse_string", {"tissue.material=fat"});
   const SceneFile again = parseScene(first.text, "session", first.folder, first.overrides);
-  EXPECT_EQ(testing::bitsOf(scenes::buildAnatomy(first)), testing::bitsOf(scenes::buildAnatomy(again)));
+  EXPECT_EQ(testing::bitsOf(scenes::buildAnatomy(first).mesh), testing::bitsOf(scenes::buildAnatomy(again).mesh));
   EXPECT_DOUBLE_EQ(again.params.tissue.youngsModulus, first.params.tissue.youngsModulus);
 }
 

@@ -34,21 +34,21 @@ TEST(Cutter, CutsThreadThatLiesAcrossItsBlades) {
   StepRig rig = closedOnThread(true, 9.5e-3);
   rig.step();
   EXPECT_TRUE(rig.happened(EventKind::kThreadCut));
-  EXPECT_EQ(rig.state.metrics.threadCuts, 1);
+  EXPECT_EQ(rig.state.knot.cuts, 1);
   EXPECT_LT(rig.state.tools[kLeft].threadCoordinate, 0.0);
 }
 
 TEST(Cutter, GripsThreadAtTheTipsAsOtherJawsDo) {
   StepRig rig = closedOnThread(true, 2e-3);
   rig.step();
-  EXPECT_EQ(rig.state.metrics.threadCuts, 0);
+  EXPECT_EQ(rig.state.knot.cuts, 0);
   EXPECT_GE(rig.state.tools[kLeft].threadCoordinate, 0.0);
 }
 
 TEST(Cutter, IsNotThereUnlessTheToolHasBlades) {
   StepRig rig = closedOnThread(false, 9.5e-3);
   rig.step();
-  EXPECT_EQ(rig.state.metrics.threadCuts, 0);
+  EXPECT_EQ(rig.state.knot.cuts, 0);
 }
 
 TEST(Cutter, LeavesTwoPiecesThatNoLongerPullOnEachOther) {
@@ -58,7 +58,7 @@ TEST(Cutter, LeavesTwoPiecesThatNoLongerPullOnEachOther) {
   StepRig rig(p, kNeedleAway, across(still.state, 9.5e-3));
   rig.input.tools[kLeft].jaw = 0.0;
   rig.step();
-  ASSERT_EQ(rig.state.metrics.threadCuts, 1);
+  ASSERT_EQ(rig.state.knot.cuts, 1);
   int cut = 0;
   while (!rig.state.threadContacts.cut[cut]) ++cut;
   rig.run(150);                                // the tail's piece falls, the needle's is held

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "sim/contact/pair_search.h"
@@ -115,6 +116,30 @@ TEST(SelfContact, TheSearchLosesNoForce) {
     const double given = 1e-3 * (1 + t.pairTriangle[i]) + 1e-6 * t.pairVertex[i];   // [N]
     EXPECT_TRUE(t.pairForce[i] == 0.0 || t.pairForce[i] == given) << i;
   }
+}
+
+/// Every vertex wanders by a tenth of what a list allows for, so that lists are made, serve, and give out.
+TEST(SelfContact, AListFindsWhatTheCellsFindInTheSameOrder) {
+  StepRig rig(wallParams(), kNeedleAway);
+  crumple(rig.model, 0.6e-3, 7, rig.state);
+  State& s = rig.state;
+  int served = 0;
+  std::size_t most = 0;
+  for (int k = 0; k < 40 * kPairRound; ++k, ++s.step) {
+    for (std::size_t i = 0; i < s.tissue.position.size(); ++i)
+      s.tissue.position[i] += 0.1 * kPairDrift / kPairRound * Vec3(std::sin(1.0 * i), std::cos(2.0 * i), (k / 90 % 2 == 0 ? 1.0 : -1.0) * std::sin(3.0 * i));
+    for (int i = 0; i < s.tissue.pairCount; i += 3) s.tissue.pairForce[i] = 1e-3 * i;   // some carry force
+    State cells = s;
+    for (NearPairs& list : cells.work.self.nearby) list.whole = false;
+    searchPairs(rig.model, s);
+    searchPairs(rig.model, cells);
+    ASSERT_EQ(diff(s, cells), "") << "step " << k;
+    served += s.work.self.nearby[k % kPairRound].used;
+    most = std::max(most, static_cast<std::size_t>(s.tissue.pairCount));
+  }
+  EXPECT_GT(most, 50u);
+  EXPECT_GT(served, 20 * kPairRound);            // lists did the work
+  EXPECT_LT(served, 38 * kPairRound);            // and did give out
 }
 
 class ClosingPlates : public testing::TestWithParam<double> {};   // [m/s]

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "tests/sim/tissue_block.h"
 
@@ -107,6 +108,33 @@ TEST(ShapeMatching, EveryParticleLeadsAClusterOfItsNeighbours) {
     EXPECT_TRUE(std::is_sorted(first, last));
     for (auto i = first; i != last; ++i) EXPECT_LT((b.model.rest[*i] - b.model.rest[c]).norm(), 15e-3);
   }
+}
+
+/// A shared sum is a sum like any other: written out, every list has each of its members once. And sharing saves additions.
+TEST(ShapeMatching, ThePlanOfSumsAddsEveryMemberOnce) {
+  const TissueBlock b = block();
+  const ShapeMatchingModel& s = b.model.shape;
+  const int inputs = static_cast<int>(b.model.rest.size()), sums = static_cast<int>(s.gather.shared.size()) / 2;
+  std::vector<std::vector<int>> holds;           // per node: its inputs
+  for (int i = 0; i < inputs; ++i) holds.push_back({i});
+  const auto node = [](int offset) { return offset / ShapeMatchingModel::kMap; };
+  for (int k = 0; k < sums; ++k) {
+    ASSERT_LT(node(std::max(s.gather.shared[2 * k], s.gather.shared[2 * k + 1])), inputs + k);
+    std::vector<int> both = holds[node(s.gather.shared[2 * k])];
+    const auto& other = holds[node(s.gather.shared[2 * k + 1])];
+    both.insert(both.end(), other.begin(), other.end());
+    holds.push_back(both);
+  }
+  for (int c = 0; c < inputs; ++c) {
+    std::vector<int> found;
+    for (int k = s.gather.start[c]; k < s.gather.start[c + 1]; ++k) {
+      const auto& part = holds[node(s.gather.node[k])];
+      found.insert(found.end(), part.begin(), part.end());
+    }
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, std::vector<int>(s.member.begin() + s.clusterStart[c], s.member.begin() + s.clusterStart[c + 1])) << c;
+  }
+  EXPECT_LT(2 * (s.gather.node.size() + sums), s.member.size());
 }
 
 /// A third of a body under load keeps its shape better with more iterations and substeps: it has no modulus to be true to.

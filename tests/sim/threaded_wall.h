@@ -61,6 +61,7 @@ struct ThreadedWall : StepRig {
     for (const auto& [share, face] : crossings) {
       Vec3 p = a + share * (b - a);
       p.x() = face;
+      if (!(p.z() > 0.0 && p.z() < kWallZ)) continue;          // it passes above the wall
       Hole& h = state.strand.holes[state.strand.holeCount++];
       h.coordinate = coordinateAt(model.strand, node, share);
       place(p, h);

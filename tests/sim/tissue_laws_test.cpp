@@ -173,7 +173,7 @@ TEST_P(TissueLaws, EveryBuildGivesTheseBits) {
       sum = (sum ^ std::bit_cast<std::uint64_t>(x[a])) * 0x100000001b3ULL;
       sum ^= sum >> 32;
     }
-  EXPECT_EQ(sum, GetParam() == TissueSolver::kXpbd ? 0x7a3502b8f1156c14ULL : 0x81bdb9c011666254ULL);
+  EXPECT_EQ(sum, GetParam() == TissueSolver::kXpbd ? 0x7a3502b8f1156c14ULL : 0x3f07f521382f2b3aULL);
 }
 
 TEST_P(TissueLaws, ASecondRunGivesTheSameBits) {
@@ -187,6 +187,25 @@ TEST_P(TissueLaws, ASecondRunGivesTheSameBits) {
   setInMotion(second);
   second.run(60);
   EXPECT_EQ(std::memcmp(first.state.position.data(), second.state.position.data(), first.state.position.size() * sizeof(Vec3)), 0);
+}
+
+/// The solve passes over what a push at one point leaves alone, and takes columns of the way back in its own order. With the other
+/// right-hand sides full it passes over nothing: the bits are the same, and the answer solves the equation.
+TEST(FactoredSolve, WhatItPassesOverChangesNoBit) {
+  const TissueBlock b(blockMesh(9, 7, 2, Vec3(27e-3, 21e-3, 4e-3)), sceneParams(TissueSolver::kProjective));
+  const ProjectiveModel& p = b.model.projective;
+  for (int at : {0, 17, p.size / 2, p.size - 1}) {
+    std::vector<double> alone(4 * p.size, 0.0), full(4 * p.size);      // [N], then [m]
+    for (std::size_t i = 0; i < full.size(); ++i) full[i] = i % 4 == 0 ? 0.0 : 1.0 + 0.01 * static_cast<double>(i % 13);
+    alone[4 * p.permutation[at]] = full[4 * p.permutation[at]] = 1.0;
+    solveFactor(p, alone.data());
+    solveFactor(p, full.data());
+    for (int i = 0; i < p.size; ++i) {
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(alone[4 * i]), std::bit_cast<std::uint64_t>(full[4 * i])) << at << ' ' << i;
+      ASSERT_EQ(alone[4 * i + 1], 0.0);
+    }
+    for (int i = 0; i < p.size; ++i) EXPECT_NEAR(alone[4 * p.permutation[i]], compliance(p, i, at), 1e-12 * p.self[at]) << at << ' ' << i;
+  }
 }
 
 }  // namespace

@@ -1,13 +1,7 @@
 /// `halsted devices` as a user meets it: the real program and the real libusb, with device models on the cable.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include "haptics/falcon/falcon_model.h"
 #include "haptics/open_device/open_model.h"
 #include "haptics/touch/touch_model.h"
-#include "tests/haptics/usb/falcon_rig.h"
 #include "tests/usb/program.h"
-#include "tests/usb/usb_emulation.h"
 
 namespace halsted::haptics {
 namespace {
@@ -19,16 +13,11 @@ using halsted::testing::UsbEmulation;
 using ::testing::HasSubstr;
 using nlohmann::json;
 
-class DevicesCommand : public ::testing::Test {
+class DevicesCommand : public halsted::testing::WithEmulation {
  protected:
-  void SetUp() override {
-    ASSERT_TRUE(UsbEmulation::available()) << "run through ctest: it needs LD_PRELOAD=libumockdev-preload.so.0";
-  }
-  static json list(std::vector<std::string> more = {}) {
+  static json list(std::vector<std::string> more = {}, int exitCode = 0) {
     more.insert(more.begin(), {"devices", "--json"});
-    const ProcessResult result = runHalsted(more);
-    EXPECT_EQ(result.exitCode, 0) << result.errors;
-    return json::parse(result.output);
+    return outcome(runHalsted(more), exitCode);
   }
   static void expectOneLine(const std::string& text) { EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text; }
 };
@@ -75,18 +64,20 @@ TEST_F(DevicesCommand, SaysWhatKeepsAFalconFromWorking) {
   FalconModel busy(options);
   usb.plug(bare);
   usb.plug(unhomed);
+  EXPECT_EQ(list()["attached"].size(), 2u);              // what waits for its user is no fault
   usb.faults(usb.plug(busy)).refuseOpen = UsbStatus::kBusy;
-  const json attached = list()["attached"];
+  const json attached = list({}, 3)["attached"];
   ASSERT_EQ(attached.size(), 3u);
   EXPECT_THAT(attached[0]["remedy"].get<std::string>(), HasSubstr("--firmware"));
   EXPECT_EQ(attached[1]["problem"], "not calibrated");
   EXPECT_EQ(attached[1]["state"], "homing");
   EXPECT_EQ(attached[2]["problem"], "in use by another program");
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(attached[i]["fault"], i == 2);
 
   const TemporaryFolder folder;
   const std::vector<std::uint8_t> firmware = modelFirmware();
   halsted::testing::writeText(folder.file("falcon.bin"), {firmware.begin(), firmware.end()});
-  EXPECT_EQ(list({"--firmware", folder.file("falcon.bin")})["attached"][0]["problem"], "not calibrated");
+  EXPECT_EQ(list({"--firmware", folder.file("falcon.bin")}, 3)["attached"][0]["problem"], "not calibrated");
   EXPECT_EQ(runHalsted({"devices", "--firmware", folder.file("none.bin")}).exitCode, 2);
 }
 

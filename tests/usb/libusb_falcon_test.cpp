@@ -1,16 +1,10 @@
 /// The Falcon driver through the real libusb, against the same model that the loopback carries.
-#include <gtest/gtest.h>
-
 #include <atomic>
-#include <chrono>
-#include <thread>
 
-#include "haptics/falcon/falcon_model.h"
 #include "haptics/falcon/falcon_protocol.h"
 #include "haptics/usb/libusb_bus.h"
 #include "haptics/usb/usb_device.h"
-#include "tests/haptics/usb/falcon_rig.h"
-#include "tests/usb/usb_emulation.h"
+#include "tests/usb/program.h"
 
 namespace halsted::haptics {
 namespace {
@@ -27,11 +21,8 @@ bool until(double longest, Turn&& turn) {
   return false;
 }
 
-class LibusbFalcon : public ::testing::Test {
+class LibusbFalcon : public halsted::testing::WithEmulation {
  protected:
-  void SetUp() override {
-    ASSERT_TRUE(UsbEmulation::available()) << "run through ctest: it needs LD_PRELOAD=libumockdev-preload.so.0";
-  }
   void begin(const FalconModelOptions& options, std::vector<std::uint8_t> firmware = {}) {
     model = std::make_unique<FalconModel>(options);
     emulation = std::make_unique<UsbEmulation>();

@@ -107,6 +107,14 @@ void UsbEmulation::unplug(int port) {
   umockdev_testbed_remove_device(testbed_, gone.sysfs.c_str());
 }
 
+void UsbEmulation::replug(int port, haptics::UsbModel& other) {
+  {
+    const std::lock_guard guard(lock_);
+    ports_[static_cast<std::size_t>(port)]->model = &other;
+  }
+  replug(port);
+}
+
 void UsbEmulation::replug(int port) {
   Port& back = *ports_[static_cast<std::size_t>(port)];
   {

@@ -26,6 +26,7 @@ class UsbEmulation {
   int plug(haptics::UsbModel&);                                  // the model must outlive the emulation
   void unplug(int port);
   void replug(int port);
+  void replug(int port, haptics::UsbModel& other);               // another device on the same socket
   haptics::UsbFaults& faults(int port) { return ports_[static_cast<std::size_t>(port)]->faults; }   // under the lock
   std::mutex& lock() { return lock_; }
 

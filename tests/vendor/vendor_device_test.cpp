@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -19,6 +20,12 @@ class VendorTest : public ::testing::Test {
   void use(const char* library, const char* fault = "") {
     setenv("HALSTED_VENDOR_LIBHD", library, 1);
     setenv("HALSTED_FAULTY_VENDOR", fault, 1);
+    faulty<void>("faultyVendorForget");
+  }
+  /// Asks the faulty library itself.
+  template <typename Result> static Result faulty(const char* question) {
+    static void* library = dlopen(HALSTED_FAULTY_VENDOR_LIBRARY, RTLD_NOW);
+    return reinterpret_cast<Result (*)()>(dlsym(library, question))();
   }
   void TearDown() override { unsetenv("HALSTED_VENDOR_LIBHD"); }
 
@@ -95,13 +102,80 @@ TEST_F(VendorTest, NumbersThatAreNoneCutTheForceAndPassOver) {
   EXPECT_TRUE(within(*opened.device, 5000, Vec3(0.8, 0.0, 0.0), [&] { return output.force.norm() > 0.7; })) << "and it comes back";
 }
 
-TEST_F(VendorTest, ALostDeviceIsGoneWithZeroForce) {
+/// A device with the thread that a session gives it.
+class Served {
+ public:
+  explicit Served(VendorDevice& device) : thread_([this, &device] { device.serve(stop_); }) {}
+  ~Served() {
+    stop_.store(true);
+    thread_.join();
+  }
+
+ private:
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+TEST_F(VendorTest, ALostDeviceIsGoneWithZeroForceAndTheSessionMayWaitForIt) {
   use(HALSTED_FAULTY_VENDOR_LIBRARY, "lost");
   auto opened = VendorDevice::open("");
   ASSERT_TRUE(opened.device);
+  const Served served(*opened.device);
   ASSERT_TRUE(within(*opened.device, 3000, Vec3(0.8, 0.0, 0.0), [&] { return fault(kFaultDeviceGone); }));
   EXPECT_EQ(output.force.norm(), 0.0);
   EXPECT_EQ(opened.device->status().problem, DeviceProblem::kTransferFailed);
+  EXPECT_TRUE(opened.device->mayReturn());
+  EXPECT_FALSE(within(*opened.device, 1200, Vec3(0.8, 0.0, 0.0), [&] { return !fault(kFaultDeviceGone) || output.force.norm() > 0.0; }))
+      << "the library refuses to open it again";
+}
+
+TEST_F(VendorTest, ADeviceThatComesBackIsOpenedAgainInTheOrderOfTheInterface) {
+  use(HALSTED_FAULTY_VENDOR_LIBRARY, "replug");
+  auto opened = VendorDevice::open("");
+  ASSERT_TRUE(opened.device);
+  {
+    const Served served(*opened.device);
+    ASSERT_TRUE(within(*opened.device, 3000, Vec3(0.8, 0.0, 0.0), [&] { return fault(kFaultDeviceGone); }));
+    ASSERT_TRUE(within(*opened.device, 6000, Vec3(0.8, 0.0, 0.0), [&] { return output.faults == 0 && output.force.norm() > 0.7; }));
+    EXPECT_NEAR(opened.device->read(0.0).pose.position.x(), 20e-3, 1e-12) << "where it stands now";
+    EXPECT_EQ(opened.device->status().stage, DeviceStage::kReady);
+  }
+  opened.device.reset();
+  EXPECT_STREQ(faulty<const char*>("faultyVendorCalls"),
+               "init schedule start stop unschedule disable init init init schedule start stop unschedule disable ");
+}
+
+TEST_F(VendorTest, AnotherDeviceUnderItsNameIsNotTakenForIt) {
+  use(HALSTED_FAULTY_VENDOR_LIBRARY, "swap");
+  auto opened = VendorDevice::open("left");
+  ASSERT_TRUE(opened.device);
+  EXPECT_EQ(opened.device->serial(), "SERIAL-LEFT");
+  bool sawOther = false;
+  {
+    const Served served(*opened.device);
+    ASSERT_TRUE(within(*opened.device, 3000, Vec3(0.8, 0.0, 0.0), [&] { return fault(kFaultDeviceGone); }));
+    ASSERT_TRUE(within(*opened.device, 6000, Vec3(0.8, 0.0, 0.0), [&] {
+      sawOther = sawOther || opened.device->status().problem == DeviceProblem::kNotAttached;
+      return output.faults == 0;
+    }));
+  }
+  EXPECT_TRUE(sawOther);
+  opened.device.reset();
+  EXPECT_STREQ(faulty<const char*>("faultyVendorCalls"),
+               "init schedule start stop unschedule disable init init disable init schedule start stop unschedule disable ");
+}
+
+TEST_F(VendorTest, OfTwoDevicesOnlyTheOneThatTheErrorNamesIsLost) {
+  use(HALSTED_FAULTY_VENDOR_LIBRARY, "lost-right");
+  auto left = VendorDevice::open("left"), right = VendorDevice::open("right");
+  ASSERT_TRUE(left.device && right.device);
+  EXPECT_NE(left.device->serial(), right.device->serial());
+  ASSERT_TRUE(within(*right.device, 3000, Vec3::Zero(), [&] { return fault(kFaultDeviceGone); }));
+  EXPECT_NEAR(right.device->read(0.0).pose.position.x(), 110e-3, 1e-12);
+  EXPECT_EQ(left.device->status().stage, DeviceStage::kReady) << "though its callback was the one that found the error";
+  EXPECT_TRUE(left.device->read(1e-3).connected);
+  right.device.reset();
+  EXPECT_TRUE(within(*left.device, 5000, Vec3(0.8, 0.0, 0.0), [&] { return output.faults == 0 && output.force.norm() > 0.7; }));
 }
 
 TEST_F(VendorTest, AServoThreadThatStallsIsSilentThenGoesOn) {
@@ -119,12 +193,8 @@ TEST_F(VendorTest, AHapticThreadThatStopsLetsGo) {
   auto opened = VendorDevice::open("");
   ASSERT_TRUE(opened.device);
   ASSERT_TRUE(within(*opened.device, 5000, Vec3(0.8, 0.0, 0.0), [&] { return output.force.norm() > 0.7; }));
-  void* library = dlopen(HALSTED_FAULTY_VENDOR_LIBRARY, RTLD_NOW);
-  const auto push = reinterpret_cast<double (*)()>(dlsym(library, "faultyVendorPush"));
-  ASSERT_NE(push, nullptr);
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  EXPECT_EQ(push(), 0.0);
-  dlclose(library);
+  EXPECT_EQ(faulty<double>("faultyVendorPush"), 0.0);
 }
 
 }  // namespace

@@ -34,6 +34,19 @@ TEST(CommandLine, BadUsageIsCodeTwo) {
     EXPECT_EQ(runHalsted(arguments).exitCode, 2);
 }
 
+TEST(CommandLine, WhatWasTypedIsNamedWithTheNearest) {
+  expectRefused({"bogus"}, "unknown command bogus; there are scenes, train, replay");
+  expectRefused({"trian", "purse_string"}, "unknown command trian; did you mean train?");
+  expectRefused({"--jsn", "scenes"}, "unknown option --jsn");
+  expectRefused({"scenes", "--jsn"}, "unknown option --jsn; did you mean --json?");
+  expectRefused({"replay", "--verfy"}, "unknown option --verfy; did you mean --verify?");
+  expectRefused({"train", "purse_string", "--secnods=3"}, "unknown option --secnods; did you mean --seconds?");
+  expectRefused({"replay", expertPath(), "second.toml"}, "one argument too many: second.toml");
+  expectRefused({}, "halsted --help");
+  expectRefused({"replay"}, "halsted replay --help");
+  expectRefused({"survey", "scroe"}, "unknown command scroe; did you mean score?");
+}
+
 TEST(CommandLine, HelpTeachesWithExamples) {
   const ProcessResult help = runHalsted({"--help"});
   EXPECT_EQ(help.exitCode, 0);

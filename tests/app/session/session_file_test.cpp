@@ -32,9 +32,9 @@ SessionHeader exampleHeader() {
   header.dt = 1e-3;
   header.seed = 7;
   header.start[kRight].position = Vec3(0.1, 0.2, 0.3);
-  header.mesh = blockMesh(2, 2, 1, Vec3(0.02, 0.02, 0.01));
-  header.mesh.uv.resize(header.mesh.vertices.size(), Eigen::Vector2d::Zero());
-  header.mesh.triangleLayer.resize(header.mesh.surface.size(), 0);
+  header.anatomy.mesh = blockMesh(2, 2, 1, Vec3(0.02, 0.02, 0.01));
+  header.anatomy.mesh.uv.resize(header.anatomy.mesh.vertices.size(), Eigen::Vector2d::Zero());
+  header.anatomy.mesh.triangleLayer.resize(header.anatomy.mesh.surface.size(), 0);
   return header;
 }
 
@@ -113,8 +113,8 @@ TEST(SessionFile, GivesBackWhatWasWritten) {
   EXPECT_EQ(reader.header().devices, expected.devices);
   EXPECT_EQ(reader.header().dt, expected.dt);
   EXPECT_EQ(reader.header().start[kRight].position, expected.start[kRight].position);
-  EXPECT_EQ(reader.header().mesh.tets, expected.mesh.tets);
-  EXPECT_EQ(reader.header().mesh.vertices, expected.mesh.vertices);
+  EXPECT_EQ(reader.header().anatomy.mesh.tets, expected.anatomy.mesh.tets);
+  EXPECT_EQ(reader.header().anatomy.mesh.vertices, expected.anatomy.mesh.vertices);
   EXPECT_TRUE(reader.closedProperly());
   ASSERT_EQ(reader.steps(), 100u);
   StepInput input;

@@ -39,7 +39,7 @@ TEST(Train, HeadlessRunsReportsAndReplays) {
   for (const char* key : {"scene", "dt_s", "steps", "completed", "procedure", "metrics", "state_hash", "timing"}) EXPECT_TRUE(json.contains(key)) << key;
   for (const char* key : {"rate_hz", "lateness_us", "bare_lateness_us", "max_force_n", "stale_ticks"}) EXPECT_TRUE(json["haptic"].contains(key)) << key;
   for (const char* key : {"rate_hz", "late_steps"}) EXPECT_TRUE(json["physics"].contains(key)) << key;
-  for (const char* key : {"fps", "frame_ms"}) EXPECT_TRUE(json["render"].contains(key)) << key;
+  for (const char* key : {"fps", "start_up_s", "frame_ms"}) EXPECT_TRUE(json["render"].contains(key)) << key;
   EXPECT_GT(json["steps"].get<int>(), 0);
   EXPECT_GT(json["haptic"]["rate_hz"].get<double>(), 0.0);
   EXPECT_LE(json["haptic"]["max_force_n"].get<double>(), 3.3);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "sim/needling/shaft.h"
 
@@ -14,18 +15,42 @@ TEST(ShaftFriction, HoldsAtRestAndBreaksAwayAboveTheSlidingForce) {
   const NeedlingParams p;
   ShaftFriction f;
   const double bound = 0.2, stride = 1e-6;     // [N], [m]: twice the speed below which the shaft counts as still
-  for (int k = 0; k < 200; ++k) slideShaft(p, stride, bound, f);
+  for (int k = 0; k < 200; ++k) slideShaft(p, stride, {bound, 0.0}, f);
   const double held = f.force;                 // [N]
   EXPECT_GT(held, 0.0);
-  for (int k = 0; k < 5000; ++k) slideShaft(p, 0.0, bound, f);
+  for (int k = 0; k < 5000; ++k) slideShaft(p, 0.0, {bound, 0.0}, f);
   EXPECT_EQ(f.force, held);                    // for ever
   double peak = 0.0;                           // [N]
-  for (int k = 0; k < 5000; ++k) { slideShaft(p, stride, bound, f); peak = std::max(peak, f.force); }
+  for (int k = 0; k < 5000; ++k) { slideShaft(p, stride, {bound, 0.0}, f); peak = std::max(peak, f.force); }
   EXPECT_NEAR(peak, p.staticRatio * bound, 0.01 * bound);
   EXPECT_NEAR(f.force, bound, 1e-9);
 }
 
-TEST(ShaftFriction, HasNoJumpAndPaysForEveryCycle) {
+TEST(ShaftFriction, AtASteadySpeedIsCoulombPlusViscous) {   // Okamura 2004, Son 2014: C + b v, either way
+  const NeedlingParams p;
+  for (double speed : {0.01, -0.01, 0.05}) {   // [m/s]
+    ShaftFriction f;
+    for (int k = 0; k < 3000; ++k) slideShaft(p, speed * p.dt, {0.2, 40.0}, f);
+    EXPECT_NEAR(f.force, (speed > 0.0 ? 0.2 : -0.2) + 40.0 * speed, 1e-9);
+    EXPECT_NEAR(f.drag, 40.0 * speed, 1e-9);
+  }
+}
+
+TEST(ShaftFriction, ViscousPartDoesNotDependOnTheStep) {
+  std::vector<double> force;                   // [N] while it builds up
+  for (double dt : {1e-3, 0.125e-3}) {
+    NeedlingParams p;
+    p.dt = dt;
+    ShaftFriction f;
+    for (int k = 0; k * dt < 0.1; ++k) slideShaft(p, 0.01 * dt, {0.05, 40.0}, f);
+    force.push_back(f.force);
+  }
+  EXPECT_NEAR(force[0], force[1], 0.01 * force[1]);
+}
+
+class FrictionCycles : public ::testing::TestWithParam<double> {};   // viscous part [N s/m]
+
+TEST_P(FrictionCycles, HaveNoJumpAndPayForEveryCycle) {
   const NeedlingParams p;
   for (double amplitude : {0.1e-3, 1e-3, 5e-3}) {   // [m]
     ShaftFriction f;
@@ -33,9 +58,11 @@ TEST(ShaftFriction, HasNoJumpAndPaysForEveryCycle) {
     const int steps = 500;
     for (int k = 1; k <= 4 * steps; ++k) {
       const double next = amplitude * std::sin(kTurn * k / steps), before = f.force;   // [m], [N]
-      slideShaft(p, next - x, 0.2, f);
+      slideShaft(p, next - x, {0.2, GetParam()}, f);
       work += 0.5 * (before + f.force) * (next - x);
-      jump = std::max(jump, std::abs(f.force - before) / std::max(std::abs(next - x), 1e-9));
+      // What drag carries flows off while the hand turns, no faster than the hand ever was.
+      const double flow = GetParam() > 0.0 ? amplitude * kTurn / steps : 0.0;   // [m]
+      jump = std::max(jump, std::abs(f.force - before) / std::max(std::abs(next - x) + flow, 1e-9));
       x = next;
     }
     EXPECT_GE(work, -1e-12) << amplitude;
@@ -43,6 +70,8 @@ TEST(ShaftFriction, HasNoJumpAndPaysForEveryCycle) {
     if (amplitude > 1e-3) { EXPECT_GT(work, 4 * 2 * 0.2 * amplitude); }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(WithAndWithoutDrag, FrictionCycles, ::testing::Values(0.0, 5.0, 40.0));
 
 TEST(TipCut, ResistsNewTissueOnly) {
   const NeedlingParams p;

@@ -21,6 +21,8 @@ class hduBoundBox3D {
   void makeEmpty() { m_empty = true; }
   const T &lo() const { return m_lo; }
   const T &hi() const { return m_hi; }
+  T &rLo() { return m_lo; }
+  T &rHi() { return m_hi; }
 
   void Union(const T &point) {
     for (int i = 0; i < 3; ++i) {

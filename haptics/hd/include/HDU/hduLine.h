@@ -17,6 +17,12 @@ class hduLine {
 
   const VecType &p() const { return m_point; }
   const VecType &d() const { return m_direction; }
+  const VecType &point() const { return m_point; }
+  const VecType &direction() const { return m_direction; }
+  /* The sine of the angle between the two is at most epsilon. */
+  bool isParallel(const hduLine &other, HDdouble epsilon) const {
+    return static_cast<HDdouble>(m_direction.crossProduct(other.m_direction).magnitude()) <= epsilon;
+  }
   VecType evalPoint(T t) const { return m_point + m_direction * t; }
   VecType projectPoint(const VecType &point) const { return evalPoint((point - m_point).dotProduct(m_direction)); }
   T distance(const VecType &point) const { return projectPoint(point).distance(point); }

@@ -1,10 +1,10 @@
-#include "tests/haptics/bench_rig.h"
+#include "haptics/bench/rig.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace halsted::haptics {
+namespace halsted::haptics::bench {
 
 namespace {
 
@@ -56,13 +56,36 @@ LocalContact SoftTissue::step(const ToolSample& sample, double dt) {  // [s]
   return contact;
 }
 
+namespace {
+
+/// A device whose motors get each force some ticks late, as behind a slow cable.
+class LateForce final : public Device {
+ public:
+  explicit LateForce(Rig& rig) noexcept : rig_(rig) {}
+  DeviceReading read(double dt) noexcept override { return rig_.device.read(dt); }   // [s]
+  bool write(const Vec3& force) noexcept override {                                   // [N]
+    const auto ticks = static_cast<std::uint64_t>(rig_.forceDelay);
+    rig_.lateForces[rig_.index % Rig::kLine] = force;
+    rig_.held = rig_.index > ticks ? rig_.lateForces[(rig_.index - ticks) % Rig::kLine] : Vec3(Vec3::Zero());
+    return rig_.device.write(rig_.held);
+  }
+  void setTarget(const HandTarget& target) noexcept override { rig_.device.setTarget(target); }
+  DeviceLimits limits() const noexcept override { return rig_.device.limits(); }
+  const char* kind() const noexcept override { return rig_.device.kind(); }
+
+ private:
+  Rig& rig_;
+};
+
+}  // namespace
+
 void Rig::tickOnly() noexcept {
-  const Vec3 held = output.force;
-  const Vec3 from = device.position();
-  tick(device, config, contact, target, ++index, state, output);
-  energyTaken -= held.dot(config.mapping.origin.orientation * (device.position() - from));
+  const Vec3 before = output.force, motor = held, from = device.position();
+  LateForce late(*this);
+  tick(late, config, contact, target, ++index, state, output);
+  energyTaken -= motor.dot(device.position() - from);
   leastEnergy = std::min(leastEnergy, energyTaken);
-  largestStep = std::max(largestStep, (output.force - held).norm());
+  largestStep = std::max(largestStep, (output.force - before).norm());
   peak = std::max(peak, output.force.norm());
 }
 
@@ -80,4 +103,4 @@ double rmsAbove30Hz(const std::vector<double>& values, double rate, std::size_t 
   return std::sqrt(sum / static_cast<double>(values.size() - skip));
 }
 
-}  // namespace halsted::haptics
+}  // namespace halsted::haptics::bench

@@ -1,0 +1,123 @@
+#include "render/hud_needling.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "render/camera.h"
+#include "render/hud_pen.h"
+#include "render/magnifier.h"
+
+namespace halsted::render {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;    // [1]
+constexpr ImU32 kLayerColors[3] = {IM_COL32(236, 190, 168, 255), IM_COL32(238, 196, 84, 255), IM_COL32(196, 62, 54, 255)};
+const char* const kLayerNames[4] = {"outside", "skin", "fat", "muscle"};
+
+const AcupointMark* targetOf(const LayeredBody& body) {
+  return body.target >= 0 && body.target < static_cast<int>(body.points.size()) ? &body.points[static_cast<std::size_t>(body.target)] : nullptr;
+}
+
+/// Names beside the points that face the eye.
+void drawNames(const Pen& pen, const HudSize& size, const LayeredBody& body, const CameraView& camera) {
+  const Matrix4 view = viewProjection(camera, size.width / size.height);
+  for (std::size_t i = 0; i < body.points.size(); ++i) {
+    const AcupointMark& point = body.points[i];
+    if (point.normal.dot(camera.eye - point.place) <= 0.0) continue;
+    const Eigen::Vector4f clip = view * Eigen::Vector4f(static_cast<float>(point.place.x()), static_cast<float>(point.place.y()), static_cast<float>(point.place.z()), 1.0f);
+    if (clip.w() <= 0.0f || std::abs(clip.x()) > clip.w() || std::abs(clip.y()) > clip.w()) continue;
+    const float x = 0.5f * size.width * (1.0f + clip.x() / clip.w()), y = 0.5f * size.height * (1.0f - clip.y() / clip.w());   // pixels
+    const bool target = static_cast<int>(i) == body.target;
+    const ImU32 ink = target ? IM_COL32(96, 44, 150, 255) : IM_COL32(96, 44, 150, 170);
+    const float left = x - 46.0f - pen.width(point.id.c_str(), 14);                // pixels
+    pen.list->AddLine(pen.at(x - (target ? 25.0f : 9.0f), y + 3.0f), pen.at(x - 42.0f, y + 12.0f), ink, 1.2f * pen.scale);
+    pen.text(left, y + 5.0f, ink, point.id.c_str(), 14);
+  }
+}
+
+/// How deep the needle stands in what, beside the depth that the point asks for.
+void drawGauge(const Pen& pen, const HudSize& size, const AcupointMark* target, const NeedlingView& needle) {
+  constexpr float kHeight = 210.0f, kDeepest = 40.0f;    // pixels, [mm]
+  const float x = size.width - 92.0f, top = size.height - 320.0f, scale = kHeight / kDeepest;   // pixels, pixels, pixels a millimetre
+  pen.panel(x - 64.0f, top - 34.0f, 144.0f, kHeight + 56.0f);
+  pen.text(x - 52.0f, top - 28.0f, kDim, "depth, mm", 12);
+  pen.list->AddRectFilled(pen.at(x, top), pen.at(x + 18.0f, top + kHeight), kTrack);
+  float from = top;                                      // pixels
+  for (int k = 0; k < 3; ++k) {
+    const float length = std::min(static_cast<float>(1e3 * needle.inside[static_cast<std::size_t>(k)]) * scale, top + kHeight - from);   // pixels
+    if (length > 0.0f) pen.list->AddRectFilled(pen.at(x, from), pen.at(x + 18.0f, from + length), kLayerColors[k]);
+    if (length > 12.0f) pen.text(x + 24.0f, from + 0.5f * length - 8.0f, kLayerColors[k], kLayerNames[k + 1], 12);
+    from += std::max(length, 0.0f);
+  }
+  for (int mm = 0; mm <= 40; mm += 10) {
+    pen.list->AddLine(pen.at(x - 6.0f, top + static_cast<float>(mm) * scale), pen.at(x, top + static_cast<float>(mm) * scale), kDim, pen.scale);
+    char text[8];
+    std::snprintf(text, sizeof text, "%d", mm);
+    pen.text(x - 24.0f, top + static_cast<float>(mm) * scale - 8.0f, kDim, text, 12);
+  }
+  if (!target) return;
+  const float y = top + std::min(static_cast<float>(1e3 * target->depth), kDeepest) * scale;     // pixels
+  pen.list->AddLine(pen.at(x - 8.0f, y), pen.at(x + 26.0f, y), kGood, 2.0f * pen.scale);
+}
+
+struct Cell { const char* name; char value[32]; ImU32 color; };
+
+void drawCells(const Pen& pen, const HudSize& size, const AcupointMark* target, const RenderSnapshot& s) {
+  const NeedlingView& n = s.needling;
+  const double depth = 1e3 * std::max(n.depth, 0.0), angle = kDegrees * n.angle;   // [mm] [deg]
+  const double deepError = target ? std::abs(depth - 1e3 * target->depth) : 0.0, angleError = target ? std::abs(angle - kDegrees * target->angle) : 0.0;
+  Cell cells[7] = {{"time", {}, kText}, {"depth", {}, n.punctured > 0 ? (deepError < 2.0 ? kGood : kText) : kDim},
+                   {"angle", {}, angleError < 15.0 ? kGood : kWarn}, {"tip in", {}, kText}, {"turned", {}, kText},
+                   {"grasp", {}, n.grasp >= 1.3 ? kGood : kText}, {"faults", {}, s.faults ? kBad : kGood}};
+  const bool goal = target != nullptr;
+  std::snprintf(cells[0].value, sizeof cells[0].value, "%.1f s", s.time);
+  if (goal) std::snprintf(cells[1].value, sizeof cells[1].value, "%.1f / %.0f mm", depth, 1e3 * target->depth);
+  else std::snprintf(cells[1].value, sizeof cells[1].value, "%.1f mm", depth);
+  if (goal) std::snprintf(cells[2].value, sizeof cells[2].value, "%.0f / %.0f\xc2\xb0", angle, kDegrees * target->angle);
+  else std::snprintf(cells[2].value, sizeof cells[2].value, "%.0f\xc2\xb0", angle);
+  std::snprintf(cells[3].value, sizeof cells[3].value, "%s", kLayerNames[std::clamp(n.punctured, 0, 3)]);
+  std::snprintf(cells[4].value, sizeof cells[4].value, "%+.0f\xc2\xb0", kDegrees * n.turned);
+  std::snprintf(cells[5].value, sizeof cells[5].value, "%.2f x", n.grasp);
+  std::snprintf(cells[6].value, sizeof cells[6].value, "%u", s.faults);
+  const float x = 0.5f * size.width - 336.0f, y = size.height - 62.0f;              // pixels
+  pen.panel(x, y, 672, 50);
+  for (int i = 0; i < 7; ++i) {
+    const float centre = x + 48.0f + 96.0f * static_cast<float>(i);                 // pixels
+    pen.text(centre - 0.5f * pen.width(cells[i].name, 12), y + 5, kDim, cells[i].name, 12);
+    pen.text(centre - 0.5f * pen.width(cells[i].value, 16), y + 23, cells[i].color, cells[i].value, 16);
+  }
+}
+
+void drawTarget(const Pen& pen, const HudSize& size, const AcupointMark& target) {
+  char line[160];
+  std::snprintf(line, sizeof line, "%s  %s   %.0f mm at %.0f\xc2\xb0", target.id.c_str(), target.name.c_str(), 1e3 * target.depth, kDegrees * target.angle);
+  const float w = pen.width(line, 17) + 32.0f, x = std::max(0.5f * (size.width - w), 396.0f);   // pixels
+  pen.panel(x, size.height - 104.0f, w, 32);
+  pen.text(x + 16, size.height - 98.0f, kText, line, 17);
+}
+
+void drawGlassFrame(const Pen& pen, const HudSize& size, const NeedlingView& n) {
+  const Glass g = magnifier(static_cast<int>(size.width), static_cast<int>(size.height));        // pixels of a 720-line picture
+  const float x = static_cast<float>(g.x), y = static_cast<float>(g.y), w = static_cast<float>(g.width), h = static_cast<float>(g.height);   // pixels
+  pen.list->AddRect(pen.at(x, y), pen.at(x + w, y + h), kDim, 0.0f, 0, 1.5f * pen.scale);
+  pen.panel(x, y + h - 26.0f, w, 26.0f);
+  const float millimetre = h / static_cast<float>(1e3 * kGlassHeight);              // pixels
+  pen.list->AddLine(pen.at(x + 10, y + h - 10), pen.at(x + 10 + millimetre, y + h - 10), kText, 2.0f * pen.scale);
+  pen.text(x + 14 + millimetre, y + h - 19, kText, "1 mm", 12);
+  char line[48];
+  std::snprintf(line, sizeof line, "skin dented %.2f mm", 1e3 * n.dimple[0]);
+  pen.text(x + w - 8 - pen.width(line, 12), y + h - 19, kText, line, 12);
+}
+
+}  // namespace
+
+void drawNeedling(const Pen& pen, const HudSize& size, const LayeredBody& body, const RenderSnapshot& snapshot, const CameraView& camera) {
+  const AcupointMark* target = targetOf(body);
+  drawNames(pen, size, body, camera);
+  drawCells(pen, size, target, snapshot);
+  drawGauge(pen, size, target, snapshot.needling);
+  if (target) drawTarget(pen, size, *target);
+  if (magnified(snapshot)) drawGlassFrame(pen, size, snapshot.needling);
+}
+
+}  // namespace halsted::render
