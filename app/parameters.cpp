@@ -24,6 +24,7 @@ struct Printer {
     const char* names[] = {"projective", "xpbd", "shape_matching"};
     return names[static_cast<int>(*solver)];
   }
+  std::string operator()(const ThreadAssist* assist) const { return *assist == ThreadAssist::kKnot ? "knot" : "none"; }
   std::string operator()(const ToolKind* kind) const { return name(*kind); }
   std::string operator()(const ModelKind* kind) const { return *kind == ModelKind::kSuture ? "suture" : "needling"; }
   std::string operator()(const NetProfile* profile) const { return *profile == NetProfile::kCone ? "cone" : "inverse_distance"; }

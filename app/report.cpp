@@ -102,6 +102,7 @@ std::string reportHtml(const RunSummary& run, const Trace& trace) {
   html += "<h1>" + escaped(run.title) + "</h1><p><b class=" + (run.completed ? "ok>Completed" : "open>Not completed") + "</b> after " +
           number("%.2f s", static_cast<double>(run.steps) * run.dt) + " (" + std::to_string(run.steps) + " steps of " +
           number("%g ms", run.dt * 1e3) + "), final state " + hexadecimal(run.stateHash) + ".</p>";
+  if (run.assist != "none") html += "<p class=bad>With assistance: " + escaped(run.assist) + ". Knots were placed and held by the program, not tied by friction.</p>";
   html += "<h2>Procedure</h2>" + procedureTable(run);
   html += "<h2>Metrics</h2>" + metricsTable(run);
   html += "<h2>Force on the left hand</h2>" + forcePlot(trace, kLeft) + "<h2>Force on the right hand</h2>" + forcePlot(trace, kRight);

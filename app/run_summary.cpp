@@ -24,6 +24,7 @@ RunSummary summariseRun(const std::string& scene, const std::string& title, cons
   RunSummary run;
   run.scene = scene;
   run.title = title;
+  run.assist = model.params.thread.assist == ThreadAssist::kKnot ? "knot" : "none";
   run.dt = model.params.dt;
   run.steps = state.step;
   const ProcedureState& progress = state.procedure;
@@ -45,6 +46,7 @@ RunSummary summariseRun(const std::string& scene, const std::string& title, cons
 std::string textOf(const RunSummary& run) {
   std::string text = run.title + " (" + run.scene + "): " + (run.completed ? "completed" : "not completed") + " in " +
                      number("%.2f s", static_cast<double>(run.steps) * run.dt) + " simulated\n";
+  if (run.assist != "none") text += "  with assistance: " + run.assist + " (knots are placed and held, not tied by friction)\n";
   for (const ProcedureLine& line : run.procedure) {
     text += line.done ? "  done  " : "  open  ";
     text += line.id + (line.done ? number("  at %.2f s", line.time) : "");
@@ -61,6 +63,7 @@ std::string textOf(const RunSummary& run) {
 std::string jsonOf(const RunSummary& run, const std::string& extra) {
   Json json;
   json["scene"] = run.scene;
+  json["assist"] = run.assist;
   json["dt_s"] = run.dt;
   json["steps"] = run.steps;
   json["completed"] = run.completed;

@@ -20,6 +20,7 @@ struct ProcedureLine {
 
 struct RunSummary {
   std::string scene, title;
+  std::string assist;                          // "none" | "knot": thread.assist
   double dt = 0.0;                             // [s]
   std::uint64_t steps = 0;
   bool completed = false;

@@ -14,8 +14,8 @@ bool runAction(const Scene& scene, std::string& failure) {
   if (scene.action.kind == "cut") return runCut(scene, failure);
   if (scene.action.kind == "traction") return runTraction(scene, failure);
   if (scene.action.kind == "take_tails" || scene.action.kind == "take_stay") return runTakeTails(scene, failure);
-  if (scene.action.kind == "tighten") return runTighten(scene, failure);
-  if (scene.action.kind == "tie") return runTie(scene, failure);
+  if (scene.action.kind == "tighten") return scene.state.metrics.seam ? runCrossed(scene, failure) : runTighten(scene, failure);
+  if (scene.action.kind == "tie") return scene.state.assist ? runCrossed(scene, failure) : runTie(scene, failure);
   if (scene.action.kind == "let_go") return runLetGo(scene);
   if (scene.action.kind == "hold") return scene.inPhase >= scene.action.seconds;
   return runNeedling(scene, failure);

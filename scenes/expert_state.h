@@ -38,8 +38,9 @@ struct ExpertState {
   std::array<double, kHands> felt{};           // [N] tension of each tail as the hand feels it
   double place = 0.0;                          // [m] coordinate where a tail is to be taken
   std::int32_t cutsBefore = 0;                 // of the thread, before this cut
-  double settled = 0.0;                        // [s] since the tails stopped coming
+  double settled = 0.0, stuck = 0.0;           // [s] since the tails stopped coming; since they only hold
   std::array<Pose, kHands> goal;               // of the phase under way
+  std::array<Pose, kHands> pass;               // on the way to `goal`
   KnotPlan knot;
   NeedlePlan needle;
 };
@@ -62,6 +63,8 @@ bool runCut(const Scene&, std::string& failure);
 bool runTraction(const Scene&, std::string& failure);
 /// One knot, throw after throw, with the right hand's driver; both hands hold the ends when it is done.
 bool runTie(const Scene&, std::string& failure);
+/// Both tails crossed over the stitch between two ends and drawn apart; with `thread.assist = "knot"` that ties it.
+bool runCrossed(const Scene&, std::string& failure);
 /// Both hands let go and rise.
 bool runLetGo(const Scene&);
 /// Every action of a needle. Returns true when it is finished.

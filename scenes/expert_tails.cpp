@@ -130,7 +130,7 @@ bool runTighten(const Scene& s, std::string&) {
     fastest = std::fmax(fastest, pace);
     exhausted = exhausted || e.drawn[h] >= kTightenReach;
     const double side = h == kLeft ? -1.0 : 1.0;                                                 // [1]
-    const Vec3 way = (s.model.join.present() ? Vec3(-0.35 * side, 0.6, 0.7) : Vec3(side, -0.35, 0.25)).normalized();
+    const Vec3 way = Vec3(side, -0.35, 0.25).normalized();
     moveHand(s, h, {e.goal[h].position + e.drawn[h] * way, e.goal[h].orientation}, 0.1);
   }
   e.settled = open < kSnug || exhausted || fastest < kTight ? e.settled + s.dt : 0.0;

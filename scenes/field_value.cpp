@@ -15,6 +15,7 @@ using Names = std::array<std::pair<const char*, T>, 3>;
 constexpr Names<TissueSolver> kSolvers = {{{"projective", TissueSolver::kProjective},
                                            {"xpbd", TissueSolver::kXpbd},
                                            {"shape_matching", TissueSolver::kShapeMatching}}};
+constexpr std::array<std::pair<const char*, ThreadAssist>, 2> kAssists = {{{"none", ThreadAssist::kNone}, {"knot", ThreadAssist::kKnot}}};
 constexpr std::array<std::pair<const char*, ToolKind>, 4> kTools = {{{"needle_driver", ToolKind::kNeedleDriver},
                                                                      {"forceps", ToolKind::kForceps},
                                                                      {"acupuncture_needle", ToolKind::kAcupunctureNeedle},
@@ -67,6 +68,7 @@ struct Setter {
   void operator()(std::uint64_t* out) const { *out = static_cast<std::uint64_t>(integer()); }
   void operator()(std::string* out) const { *out = text(); }
   void operator()(TissueSolver* out) const { named(kSolvers, *out); }
+  void operator()(ThreadAssist* out) const { named(kAssists, *out); }
   void operator()(ToolKind* out) const { named(kTools, *out); }
   void operator()(ModelKind* out) const { named(kModels, *out); }
   void operator()(NetProfile* out) const { named(kProfiles, *out); }
@@ -106,7 +108,7 @@ struct Setter {
 };
 
 bool takesText(const FieldSlot& slot) {
-  return std::holds_alternative<std::string*>(slot) || std::holds_alternative<TissueSolver*>(slot) ||
+  return std::holds_alternative<std::string*>(slot) || std::holds_alternative<TissueSolver*>(slot) || std::holds_alternative<ThreadAssist*>(slot) ||
          std::holds_alternative<ToolKind*>(slot) || std::holds_alternative<ModelKind*>(slot) || std::holds_alternative<NetProfile*>(slot) || std::holds_alternative<MaterialName>(slot) ||
          std::holds_alternative<MeshPath>(slot);
 }

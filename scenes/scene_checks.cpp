@@ -42,6 +42,8 @@ void checkSuture(const SimParams& params, const std::string& origin, const Setti
   if (params.thread.nodes * params.thread.segmentLength > kLongestThread)
     throw InputError(placeOf(origin, origins, {"thread.segment_length", "thread.nodes"}) + ": the thread is longer than " +
                      plainNumber(kLongestThread) + " m");
+  if (params.thread.assist != ThreadAssist::kNone && !params.thread.knots)
+    throw InputError(placeOf(origin, origins, {"thread.assist", "thread.knots"}) + ": needs thread.knots = true");
   if (params.anvil.radius > 0.0 && params.anvil.from == params.anvil.to)
     throw InputError(placeOf(origin, origins, {"anvil.to", "anvil.from"}) + ": the anvil has no length");
 }

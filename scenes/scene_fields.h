@@ -12,7 +12,7 @@ namespace halsted::scenes {
 struct MaterialName { TissueParams* tissue; };  // tissue.material: a preset's name, applied to several fields at once
 struct MeshPath { std::string* path; };         // anatomy.mesh: checked against the folders it may come from
 
-using FieldSlot = std::variant<double*, int*, std::uint64_t*, std::string*, Vec3*, TissueSolver*, ToolKind*, ModelKind*, NetProfile*, bool*, MaterialName, MeshPath>;
+using FieldSlot = std::variant<double*, int*, std::uint64_t*, std::string*, Vec3*, TissueSolver*, ThreadAssist*, ToolKind*, ModelKind*, NetProfile*, bool*, MaterialName, MeshPath>;
 
 struct SceneField {
   std::string key;                // dotted, as in --set

@@ -122,6 +122,7 @@ template <class V> void visitMembers(KnotState& object, FieldWalk<V>& walk) {
                gap, size, toolTurns, breaks, cuts);
   if (throws < 0 || throws > KnotState::kMostThrows) throws = 0;   // read from damaged data
 }
+HALSTED_FIELDS(AssistKnot, placed, locked, tail, tip, apart, drawn, seated, felt, locks, slipped)
 HALSTED_FIELDS(ToolState, device, proxy, jaw, closed, ratchet, force, holdsNeedle, needleCoordinate, needleInTool, needleForce, threadCoordinate,
                threadForce, strandForce, graspCount, graspTriangle, graspWeight, graspLocal, graspForce, contactCount, contactTriangle,
                contactWeight, contactNormal, contactForce, nearCount, nearTriangle)
@@ -133,7 +134,7 @@ HALSTED_FIELDS(SeamMetrics, join, wallShare, fullThickness, deepestTip, lastBowe
 HALSTED_FIELDS(Strokes, direction, extreme, lastTurn, count, counted, amplitude, amplitudeSquares, trough, troughSquares, troughs)
 HALSTED_FIELDS(NeedlingMetrics, entered, left, entryOffset, angle, deepest, depthError, enteredAt, reachedAt, leftAt, peakForce, peakPull, peakGrasp,
                peakTorque, peakWithdrawal, lifts, twirls, turned, lastTurned)
-HALSTED_FIELDS(MetricsState, hands, bites, biteCount, lastExit, acrossOpening, tears, peakStretch, peakTension, openingArea, restOpeningArea, seam,
+HALSTED_FIELDS(MetricsState, hands, bites, biteCount, lastExit, acrossOpening, tears, peakStretch, peakTension, openingArea, restOpeningArea, seam, assistedKnots,
                needling)
 HALSTED_FIELDS(LayerState, phase, crossing, since, normal, rest, now)
 HALSTED_FIELDS(ShaftFriction, held, slid, force, drag)
@@ -142,7 +143,7 @@ HALSTED_FIELDS(Winding, angle, turned, length, torque, grasp)
 HALSTED_FIELDS(NeedlingState, step, skinUnit, fingerUnit, contact, outward, entry, axis, layers, depth, pressed, fingerDepth, fingerPlace,
                fingerNormal, needleTurn, friction, cut, winding, inside)
 template <class V> void visitMembers(StepWork&, V&) {}   // scratch is not part of the state's value
-HALSTED_FIELDS(State, step, random, tissue, strand, threadContacts, knot, tools, procedure, metrics, needling, work)
+HALSTED_FIELDS(State, step, random, tissue, strand, threadContacts, knot, assist, tools, procedure, metrics, needling, work)
 
 #undef HALSTED_FIELDS
 

@@ -37,6 +37,7 @@ void beginSuture(const Model& m, State& s) {
     const ThreadParams& t = m.params.thread;
     s.threadContacts = restContacts(m.strand);
     s.knot.watched = true;
+    if (t.assist == ThreadAssist::kKnot) { s.assist.emplace(); s.metrics.assistedKnots = 0; }
     s.work.knotReader = KnotReader(m.strand.nodes);
     s.work.threadContacts = prepareContactWork(m.strand, {t.friction, t.lateralModulus, t.breakingTension});
   }

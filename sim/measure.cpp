@@ -172,7 +172,8 @@ void measureSuture(const Model& m, State& s, StepOutput& out) {
   if (metrics.seam) measureSeam(*metrics.seam, last, out);
   const KnotState& knot = s.knot;
   set(Quantity::kThrows, knot.throws);
-  set(Quantity::kKnotLocks, locks(knot));
+  if (s.assist) metrics.assistedKnots = s.assist->locks;
+  set(Quantity::kKnotLocks, locks(knot) + (s.assist && s.assist->locked));
   set(Quantity::kWrongThrows, slides(knot));
   set(Quantity::kFirstTurns, knot.turns[0]);
   set(Quantity::kKnotGap, knot.gap);

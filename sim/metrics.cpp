@@ -64,6 +64,7 @@ void addSuture(Rows& rows, const MetricsState& m) {
   rows.emplace_back("peak_tension_n", m.peakTension);
   rows.emplace_back("opening_area_m2", m.openingArea);
   rows.emplace_back("opening_fraction_1", m.restOpeningArea > 0.0 ? m.openingArea / m.restOpeningArea : 1.0);
+  if (m.assistedKnots) rows.emplace_back("assisted_knots", *m.assistedKnots);
   if (m.seam) addSeam(rows, *m.seam, std::clamp<int>(m.biteCount, 0, kMaxBites));
 }
 

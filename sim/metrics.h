@@ -68,6 +68,7 @@ struct MetricsState {
   double openingArea = 0.0;                    // [m^2] now
   double restOpeningArea = 0.0;                // [m^2] at the first step
   std::optional<SeamMetrics> seam;             // of two ends that are being joined
+  std::optional<std::int32_t> assistedKnots;   // locked, with `thread.assist`
   std::optional<NeedlingMetrics> needling;     // of a body that is needled; then nothing but the hands counts above
 };
 

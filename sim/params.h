@@ -11,6 +11,8 @@ namespace halsted {
 
 enum class ModelKind : std::uint8_t { kSuture, kNeedling };   // sim.model = "suture" | "needling"
 
+enum class ThreadAssist : std::uint8_t { kNone, kKnot };   // thread.assist = "none" | "knot"
+
 enum class TissueSolver : std::uint8_t { kProjective, kXpbd, kShapeMatching };   // tissue.solver
 
 struct TissueParams {                          // [tissue]
@@ -49,6 +51,10 @@ struct ThreadParams {                          // [thread]
   int substeps = 4;                            // substeps [1] of the strand in a step, with knots
   double friction = 0.35;                      // friction [1] thread on thread; see ThreadContactParams
   double lateralModulus = 5e8;                 // lateral_modulus [Pa] of a squeezed braid (design)
+  // For beginners: crossing the tails and drawing them places a knot that holds. Not physics; only with `knots`. sim/suture/assist_knot.h
+  ThreadAssist assist = ThreadAssist::kNone;   // assist
+  double assistTension = 0.5;                  // assist_tension [N] in both tails
+  double assistHolding = 10.0;                 // assist_holding [N] a loop of several throws bears 15 N and more (physics.md B5)
   double breakingTension = 26.3;               // breaking_tension [N] USP knot-pull minimum, 2-0 synthetic absorbable (physics.md D)
 };
 

@@ -10,6 +10,7 @@
 #include "sim/needling/needling.h"
 #include "sim/procedure.h"
 #include "sim/strand/strand_state.h"
+#include "sim/suture/assist_knot.h"
 #include "sim/suture/knot_state.h"
 #include "sim/strand/thread_contacts.h"
 #include "sim/tissue/tissue_state.h"
@@ -26,6 +27,7 @@ struct State {
   StrandState strand;
   ThreadContactState threadContacts;           // empty unless `thread.knots`
   KnotState knot;                              // nothing unless `thread.knots`
+  std::optional<AssistKnot> assist;            // with `thread.assist`
   std::array<ToolState, kHands> tools;
   ProcedureState procedure;
   MetricsState metrics;

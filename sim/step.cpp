@@ -4,6 +4,7 @@
 #include "sim/measure.h"
 #include "sim/needling/needling_scene.h"
 #include "sim/outcome.h"
+#include "sim/suture/assist_knot.h"
 #include "sim/suture/holes.h"
 #include "sim/suture/knot_watch.h"
 #include "sim/suture/knotting.h"
@@ -68,8 +69,10 @@ void stepStrand(const Model& m, KnottingMotion motion, State& s, StepOutput& out
   motion.solids.now = worldSolids(m, s);
   linkContacts(m, motion.solids, s);
   for (int hand = 0; hand < kHands; ++hand) motion.grasps[hand] = linkGrasp(m, hand, s);
+  linkAssistKnot(m, s);
   if (!solveThread(m, motion, s, out)) return;
   settleHoles(m, s, out);
+  settleAssistKnot(m, s, out);
   settleContacts(m, firstContact, s, out);
   settleToolForces(s);
   for (int hand = 0; hand < kHands; ++hand) settleGrasp(m, hand, motion.grasps[hand], s, out);

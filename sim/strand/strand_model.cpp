@@ -26,6 +26,7 @@ void check(const SimParams& p) {
           "thread.fine_from and thread.fine_to must name a stretch of the thread");
   require(!fine || p.thread.fineSegment <= p.thread.segmentLength, "thread.fine_segment must not be longer than thread.segment_length");
   require(!fine || (p.thread.fineTo - p.thread.fineFrom) / p.thread.fineSegment <= 2000.0, "thread.fine_segment makes more than 2000 nodes");
+  require(p.thread.assist == ThreadAssist::kNone || p.thread.knots, "thread.assist needs thread.knots");
   require(!p.thread.knots || (p.thread.substeps >= 1 && p.thread.substeps <= 20), "thread.substeps must lie between 1 and 20");
   require(p.thread.breakingTension > 0.0, "thread.breaking_tension must be positive");
   require(p.needle.arcLength > 0.0, "needle.arc_length must be positive");

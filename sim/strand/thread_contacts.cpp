@@ -191,9 +191,10 @@ ThreadContactWork prepareContactWork(const StrandModel& m, const ThreadContactPa
 void findThreadContacts(const StrandModel& m, const StrandState& s, double dt, ThreadTouch& touch) {
   ThreadContactWork& w = touch.work;
   w.points.clear();
-  w.coupledStep = false;
   w.coupled.clearStructure();
   indexRecords(touch.state, w);
+  const bool tied = w.tie.stiffness > 0.0 && w.coupled.couple(w.tie.first.node, w.tie.second.node);
+  w.coupledStep = tied;
   if (!searchNear(m, s, dt, touch)) ++touch.state.dropped;
   for (const NearPair& near : w.near)
     if (mayTouch(s, near, dt, w)) keepPair(m, s, near, touch);
@@ -207,6 +208,7 @@ void findThreadContacts(const StrandModel& m, const StrandState& s, double dt, T
 
 void assembleThreadContacts(const std::vector<Vec3>& iterate, BandedMatrix& matrix, std::vector<double>& rhs, ThreadContactWork& w) {
   if (w.coupledStep) w.coupled.clearValues();
+  if (w.coupledStep && w.tie.stiffness > 0.0) assembleTie(w.tie, iterate, matrix, rhs, w.coupled);
   Answer answer;
   for (TouchingPoint& c : w.points) {
     if (!answerOf(iterate, c, answer)) continue;

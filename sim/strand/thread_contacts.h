@@ -14,6 +14,7 @@
 #include "sim/strand/strand_model.h"
 #include "sim/strand/strand_state.h"
 #include "sim/strand/thread_curve.h"
+#include "sim/strand/thread_tie.h"
 
 namespace halsted {
 
@@ -70,6 +71,7 @@ struct NearPair { int piece, sample, partner; double place, gap; };   // [1], [m
 struct ThreadContactWork {
   ThreadContactParams params;
   std::span<const ThreadSolid> solids;         // set by the caller before each step
+  ThreadTie tie;                               // set by the caller before each step
   CoupledSolve coupled;
   std::vector<TouchingPoint> points;
   std::vector<Vec3> chunkCentre, pieceCentre;  // [m]

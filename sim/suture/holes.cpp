@@ -82,12 +82,18 @@ StrandLink holeLink(const Model& m, const StrandState& s, const Hole& h, const V
 }
 
 /// The strand between two holes cannot be shorter than the straight way between them: how far a coordinate may go.
-double withinReach(const Model& m, const StrandState& s, const HoleWork& w, int i, double wanted) {
+double withinReach(const Model& m, const State& state, int i, double wanted) {
+  constexpr double kClearOfKnot = 0.5e-3;      // [m] a knot does not go through its hole
+  const StrandState& s = state.strand;
+  const HoleWork& w = state.work.holes;
+  const AssistKnot* knot = state.assist && state.assist->placed ? &*state.assist : nullptr;
   constexpr double kStraight = 0.9;            // [1] of the way: the tissue still answers to this step's forces, and needles are bent
   const auto least = [&](int other) { return kStraight * (w.point[i] - w.point[other]).norm(); };
   double low = -1.0, high = tipCoordinate(m.strand) + 2.0 * kOutOfHole;
   if (i > 0) low = s.holes[i - 1].coordinate + least(i - 1);
   if (i + 1 < s.holeCount) high = s.holes[i + 1].coordinate - least(i + 1);
+  if (knot && i == 0) low = std::fmax(low, knot->tail + kClearOfKnot);
+  if (knot && i + 1 == s.holeCount) high = std::fmin(high, knot->tip - kClearOfKnot);
   const double here = s.holes[i].coordinate;   // never thrown back by a neighbour that is already too near
   low = std::fmin(low, here);
   high = std::fmax(high, here);
@@ -113,7 +119,7 @@ Vec3 settleFriction(const Model& m, State& state, int i, const Vec3& solved) {
   const double tip = tipCoordinate(m.strand);                  // past the tip there is no strand: the way out of the hole counts
   const double from = h.coordinate < tip ? h.coordinate : tip;
   const double wanted = from + (magnitude(slide) > kMostSlide ? h.slip * kMostSlide : slide);
-  h.coordinate = withinReach(m, s, w, i, wanted);
+  h.coordinate = withinReach(m, state, i, wanted);
   if (h.coordinate != wanted) h.slip = 0;
   return solved;
 }

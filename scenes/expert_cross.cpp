@@ -1,0 +1,134 @@
+/// Tails of a stitch between two ends: crossed over it and drawn apart, so that each pulls its own side toward the other. With the
+/// assistance `thread.assist = "knot"` that is the whole tie.
+#include <algorithm>
+#include <cmath>
+
+#include "scenes/expert_state.h"
+#include "sim/strand/strand.h"
+#include "sim/suture/holes.h"
+
+namespace halsted::scenes {
+namespace {
+
+constexpr double kCrossSpeed = 0.05;           // [m/s]
+constexpr double kPass = 8e-3;                 // [m] one hand passes in front of the other
+constexpr double kSlack = 0.9;                 // [1] of the tail's length: it is not drawn while the hands cross
+constexpr double kRise = 1.0;                  // [1] up over sideways, of the drawn tails: the tools stay clear of the walls
+constexpr double kDraw = 0.02;                 // [m/s]
+constexpr double kReach = 0.06;                // [m] as far as an arm draws
+constexpr double kFeel = 0.5, kFeelTime = 0.1; // [N], [s]
+constexpr double kHoldTight = 0.5;             // [s] after the knot has locked, or the walls have met
+constexpr double kWallsMeet = 0.25e-3;         // [m]
+constexpr double kTight = 0.3;                 // [1] of the speed: nothing comes any more
+constexpr double kGive = 8e-3;                 // [m] back, when the knot is to be left alone
+constexpr double kPatience = 4.0;              // [s] tight and still apart: this is as far as it goes
+
+enum Phase { kLook, kPassBy, kCross, kDrawApart, kGiveWay };
+
+/// Away from both walls: out of the tissue at a hole, and out of that end's opening.  [1]
+Vec3 clearOf(const Scene& s, const Hole& h) {
+  const Opening& o = s.model.bowels.opening[bowelOf(s.model, h)];
+  const Vec3 from = holePoint(s.model, h, s.model.mesh.vertices) - o.centre;   // [m]
+  return (from - from.dot(o.axis) * o.axis).normalized() + o.axis;
+}
+
+/// How the hands stand to the stitch: `side` leads from the tail's hole to the long end's, `up` away from the walls.
+struct Frame { Vec3 middle, side, up, front; };   // [m], [1]
+
+Frame frameOf(const Scene& s) {
+  const StrandState& strand = s.state.strand;
+  const auto& x = s.state.tissue.position;
+  const Hole &first = strand.holes[0], &last = strand.holes[strand.holeCount - 1];
+  const Vec3 tail = holePoint(s.model, first, x), tip = holePoint(s.model, last, x);
+  Frame f;
+  f.middle = 0.5 * (tail + tip);
+  f.up = (clearOf(s, first) + clearOf(s, last)).normalized();
+  f.side = tip - tail;
+  f.side -= f.side.dot(f.up) * f.up;
+  f.side = f.side.norm() > 1e-4 ? Vec3(f.side.normalized()) : Vec3(Vec3::UnitX());
+  f.front = f.side.cross(f.up);
+  return f;
+}
+
+/// +1 for the hand that holds the tail: it goes to the long end's side. -1 for the other. 0: holds neither.
+double wayOf(const Scene& s, int hand) {       // [1]
+  const StrandState& strand = s.state.strand;
+  const double c = s.state.tools[hand].threadCoordinate;   // [m]
+  if (c < 0.0) return 0.0;
+  if (c < strand.holes[0].coordinate) return 1.0;
+  return c > strand.holes[strand.holeCount - 1].coordinate ? -1.0 : 0.0;
+}
+
+double lengthHeld(const Scene& s, int hand) {  // [m] between hand and tissue
+  const StrandState& strand = s.state.strand;
+  const double c = s.state.tools[hand].threadCoordinate;   // [m]
+  return c < strand.holes[0].coordinate ? strand.holes[0].coordinate - c : c - strand.holes[strand.holeCount - 1].coordinate;
+}
+
+bool crossedAlready(const Scene& s) {
+  const int tail = wayOf(s, kLeft) > 0.0 ? kLeft : kRight;
+  return halfTurns(s.model, s.state, s.state.tools[tail].threadCoordinate, s.state.tools[1 - tail].threadCoordinate) != 0;
+}
+
+void begin(const Scene& s, std::string& failure) {
+  ExpertState& e = s.memory;
+  if (s.state.strand.holeCount < 2) { failure = "there is no stitch in the tissue"; return; }
+  const Frame f = frameOf(s);
+  for (int h = 0; h < kHands; ++h) {
+    const double way = wayOf(s, h), length = kSlack * lengthHeld(s, h);   // [1], [m]
+    if (way == 0.0 || way == wayOf(s, 1 - h)) { failure = "the hands do not hold the two tails"; return; }
+    const Vec3 aside = (way * f.side + kRise * f.up).normalized();
+    e.goal[h] = {f.middle + length * aside, e.hand[h].command.orientation};
+    const Vec3 over = f.middle + 0.8 * length * f.up + way * kPass * f.front;
+    e.pass[h] = {over, e.hand[h].command.orientation};
+  }
+  e.drawn = e.felt = {};
+  e.settled = e.stuck = 0.0;
+  nextPhase(s);
+  if (!crossedAlready(s)) return;
+  for (int h = 0; h < kHands; ++h) e.goal[h] = e.hand[h].command;
+  e.phase = kDrawApart;
+}
+
+/// Each hand draws its tail outward until it feels the tension; true once the walls have met for a moment, or nothing more comes.
+bool drawApart(const Scene& s) {
+  ExpertState& e = s.memory;
+  const Frame f = frameOf(s);
+  double fastest = 0.0;                        // [1] of the drawing speed
+  for (int h = 0; h < kHands; ++h) {
+    e.felt[h] += s.dt / kFeelTime * (s.state.tools[h].threadForce.norm() - e.felt[h]);
+    const double pace = std::clamp((s.action.tension - e.felt[h]) / kFeel, -1.0, 1.0);   // [1]
+    e.drawn[h] = std::clamp(e.drawn[h] + pace * kDraw * s.dt, 0.0, kReach);
+    fastest = std::fmax(fastest, e.drawn[h] < kReach ? pace : 0.0);
+    const Vec3 out = (e.goal[h].position - f.middle).normalized();
+    moveHand(s, h, {e.goal[h].position + e.drawn[h] * out, e.goal[h].orientation}, 0.1);
+  }
+  e.settled = s.state.metrics.seam->join.wallGap < kWallsMeet ? e.settled + s.dt : 0.0;
+  e.stuck = fastest < kTight ? e.stuck + s.dt : 0.0;
+  return e.settled > kHoldTight || e.stuck > kPatience;
+}
+
+}  // namespace
+
+bool runCrossed(const Scene& s, std::string& failure) {
+  ExpertState& e = s.memory;
+  if (e.phase == kLook) { begin(s, failure); return false; }
+  if (e.phase == kGiveWay) {
+    for (int h = 0; h < kHands; ++h) moveHand(s, h, e.goal[h], kCrossSpeed);
+    return s.state.assist->locked && s.inPhase > kHoldTight;
+  }
+  if (e.phase == kDrawApart) {
+    if (!drawApart(s)) return false;
+    if (s.action.kind != "tie") return true;
+    const Frame f = frameOf(s);
+    for (int h = 0; h < kHands; ++h) e.goal[h] = {s.memory.hand[h].command.position + kGive * (f.middle - s.memory.hand[h].command.position).normalized(), e.goal[h].orientation};
+    nextPhase(s);
+    return false;
+  }
+  bool there = true;
+  for (int h = 0; h < kHands; ++h) there = moveHand(s, h, e.phase == kPassBy ? e.pass[h] : e.goal[h], kCrossSpeed) && there;
+  if (there) nextPhase(s);
+  return false;
+}
+
+}  // namespace halsted::scenes
