@@ -9,11 +9,20 @@ namespace {
 
 constexpr double kBlades = 9.5e-3;             // [m] from the driver's tips
 constexpr double kBeyondHand = 12e-3;          // [m] past the hand that holds the long end
+constexpr double kHanging = 22e-3;             // [m] below the driver that holds it
+const Vec3 kLift(0.0, 25e-3, 15e-3);           // [m] so high that its end hangs free
 constexpr double kStub = 50e-3;                // [m] of thread left at the stitch where no hand holds it
 constexpr double kTractionSpeed = 0.015, kTractionReach = 0.08;  // [m/s] [m]
 constexpr double kFeelTime = 0.1, kFeel = 0.3; // [s] [N]
 constexpr double kHeld = 2.0;                  // [s]
 constexpr int kAttempts = 4;
+
+enum CutPhase { kBegin, kTakeHanging, kTakeHangingDown, kTakeHangingClose, kFree, kOver, kDown, kClose, kUp };
+
+void goTo(const Scene& s, int phase) {
+  s.memory.phase = phase;
+  s.memory.phaseStart = s.state.step;
+}
 
 double lastHole(const Scene& s) { return s.state.strand.holes[s.state.strand.holeCount - 1].coordinate; }   // [m]
 
@@ -24,24 +33,49 @@ double cutPlace(const Scene& s) {
   return std::fmin(place + 4e-3 * s.memory.attempt, s.model.strand.length - 6e-3);
 }
 
+/// While the driver still holds the long end, the other hand lets its own tail go, takes the thread that hangs from the driver, and lifts
+/// it when the driver has let go: what is cut then hangs free of the walls.
+void takeHanging(const Scene& s) {
+  ExpertState& e = s.memory;
+  const double held = s.state.tools[kRight].threadCoordinate;    // [m]
+  if (e.phase == kBegin) {
+    if (held < lastHole(s)) { goTo(s, kFree); return; }
+    if (s.inPhase < 1.5 * s.dt) e.goal[kLeft] = above(e.hand[kLeft].command, 0.02);
+    e.hand[kLeft].jaw = 1.0;
+    e.place = std::fmin(held + kHanging, s.model.strand.length - 2.0 * kBeyondHand);
+    if (s.inPhase > 0.3 && moveHand(s, kLeft, e.goal[kLeft], 0.08)) nextPhase(s);
+  } else if (pickUp(s, kLeft, threadGrip(s, kLeft, e.place), kTakeHanging)) {
+    if (s.state.tools[kLeft].threadCoordinate < 0.0) e.hand[kLeft].jaw = 1.0;
+    goTo(s, s.state.tools[kLeft].threadCoordinate < 0.0 ? kTakeHanging : kFree);
+  }
+}
+
 }  // namespace
 
-/// Phase 0: the driver comes free. 1 to 3: over the thread, the thread between the blades, closed. 4: up again.
+/// Phase by phase: the hanging thread is taken; the driver comes free; it goes over the thread, the thread between the blades, closes; up again.
 bool runCut(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   HandMotion& driver = e.hand[kRight];
   if (s.state.strand.holeCount < 1) { failure = "there is no stitch in the tissue"; return false; }
-  if (e.phase == 0) {
-    if (s.inPhase < 1.5 * s.dt) e.goal[kRight] = above(driver.command, 0.03);
+  if (e.phase <= kTakeHangingClose) {
+    takeHanging(s);
+  } else if (e.phase == kFree) {
+    if (s.inPhase < 1.5 * s.dt) {
+      e.goal[kRight] = above(driver.command, 0.03);
+      e.goal[kLeft] = e.hand[kLeft].command;
+      if (s.state.tools[kLeft].threadCoordinate > lastHole(s)) e.goal[kLeft].position += kLift;
+    }
     driver.jaw = s.inPhase < 0.2 ? 0.0 : 1.0;
-    if (s.inPhase < 0.5 || !moveHand(s, kRight, e.goal[kRight], 0.08)) return false;
+    if (s.inPhase < 0.5) return false;
+    const bool lifted = moveHand(s, kLeft, e.goal[kLeft], 0.04);
+    if (!moveHand(s, kRight, e.goal[kRight], 0.08) || !lifted) return false;
     e.cutsBefore = s.state.knot.cuts;
     e.place = cutPlace(s);
     nextPhase(s);
-  } else if (e.phase <= 3) {
+  } else if (e.phase <= kClose) {
     Pose grip = threadGrip(s, kRight, e.place);
     grip.position -= kBlades * (grip.orientation * Vec3::UnitZ());
-    if (!pickUp(s, kRight, grip, 1)) return false;
+    if (!pickUp(s, kRight, grip, kOver)) return false;
     e.goal[kRight] = above(driver.command, 0.03);
     nextPhase(s);
   } else {
@@ -49,8 +83,7 @@ bool runCut(const Scene& s, std::string& failure) {
     if (s.inPhase < 0.3 || !moveHand(s, kRight, e.goal[kRight], 0.08)) return false;
     if (s.state.knot.cuts > e.cutsBefore) return true;
     if (++e.attempt >= kAttempts) { failure = "the thread was not between the blades"; return false; }
-    e.phase = 1;
-    e.phaseStart = s.state.step;
+    goTo(s, kOver);
     e.place = cutPlace(s);
   }
   return false;
