@@ -24,7 +24,7 @@ Model modelOf(const TetMesh& mesh) {
   return buildModel(params, mesh, {});
 }
 
-constexpr std::array<Pose, kHands> kAway{Pose{Vec3(-0.06, 0.02, 0.055), Quat::Identity()}, Pose{Vec3(0.06, 0.02, 0.055), Quat::Identity()}};
+const std::array<Pose, kHands> kAway{Pose{Vec3(-0.06, 0.02, 0.055), Quat::Identity()}, Pose{Vec3(0.06, 0.02, 0.055), Quat::Identity()}};
 
 /// Gauss: the integral of the pressure times the distance from the axis is twice the pressure times the volume.
 TEST(LumenPressure, DoesTheWorkOfItsVolume) {
