@@ -19,7 +19,7 @@ constexpr double kReach = 0.06;                // [m] as far as an arm draws
 constexpr double kFeel = 0.5, kFeelTime = 0.1; // [N], [s]
 constexpr double kHoldTight = 0.5;             // [s] after the knot has locked, or the walls have met
 constexpr double kWallsMeet = 0.25e-3;         // [m]
-constexpr double kTight = 0.3;                 // [1] of the speed: nothing comes any more
+constexpr double kTight = 0.6;                 // [1] of the speed: next to nothing comes any more
 constexpr double kGive = 8e-3;                 // [m] back, when the knot is to be left alone
 constexpr double kPatience = 4.0;              // [s] tight and still apart: this is as far as it goes
 
@@ -104,7 +104,7 @@ bool drawApart(const Scene& s) {
     moveHand(s, h, {e.goal[h].position + e.drawn[h] * out, e.goal[h].orientation}, 0.1);
   }
   e.settled = s.state.metrics.seam->join.wallGap < kWallsMeet ? e.settled + s.dt : 0.0;
-  e.stuck = fastest < kTight ? e.stuck + s.dt : 0.0;
+  e.stuck = std::fmax(0.0, e.stuck + (fastest < kTight ? s.dt : -s.dt));   // what is felt swings
   return e.settled > kHoldTight || e.stuck > kPatience;
 }
 
