@@ -29,7 +29,7 @@ void expectLaws(const SimParams& p, WallPress press, const NamedHand& hand, doub
   EXPECT_GT(r.energyTaken, -kCreated) << hand.name << " " << speed;
   EXPECT_LT(r.replaced, kReplaced) << hand.name << " " << speed;
   EXPECT_LT(r.buzz, kBuzz) << hand.name << " " << speed;
-  EXPECT_GT(r.steady, 0.05) << "the hand did press";
+  EXPECT_GT(r.peak, 0.05) << "the hand did press";   // at an edge the tool slides off while it is held
   EXPECT_EQ(r.otherHand, 0.0);
 }
 
@@ -53,7 +53,7 @@ TEST(ToolTouch, CreatesNoEnergyAtAnySpeedWhereTheWallIsHeld) {
 
 TEST(ToolTouch, CreatesNoEnergyAtAnySpeedOnBowel) { expectLawsAtAnySpeed(softWall(), WallPress{}); }
 
-/// Soft tissue at its middle, its top edge and its end; the tool stands on the face, or lies along it. Beside what holds it (2 mm from the
+/// Soft tissue at its middle, its edges, a corner and its end; the tool stands on the face, or lies along it. Beside what holds it (2 mm from the
 /// foot) the energy keeps its law, the others are missed by a tenth to four tenths: README, what falls short.
 struct SoftPlace {
   const char* name;
@@ -64,7 +64,8 @@ struct SoftPlace {
 class SoftPlaces : public testing::TestWithParam<SoftPlace> {};
 INSTANTIATE_TEST_SUITE_P(ToolTouch, SoftPlaces,
                          testing::Values(SoftPlace{"Middle", 11e-3, 12e-3, false}, SoftPlace{"Rim", 14e-3, 12e-3, false},
-                                         SoftPlace{"End", 11e-3, 22e-3, false}, SoftPlace{"LyingInTheMiddle", 9e-3, 4e-3, true},
+                                         SoftPlace{"OverTheRim", 16.5e-3, 12e-3, false}, SoftPlace{"End", 11e-3, 22e-3, false},
+                                         SoftPlace{"Corner", 15e-3, 23e-3, false}, SoftPlace{"LyingInTheMiddle", 9e-3, 4e-3, true},
                                          SoftPlace{"LyingAtTheRim", 14e-3, 12e-3, true}),
                          [](const auto& place) { return std::string(place.param.name); });
 
