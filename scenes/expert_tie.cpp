@@ -34,6 +34,7 @@ constexpr double kAside = 10e-3, kLow = 6e-3;  // [m] from the stitch as the end
 constexpr double kOff = 0.1;                   // [N] with which the loop is drawn off the tips
 constexpr double kOver = 18e-3, kBeyond = 12e-3;   // [m] of the other hand above the stitch and past the tips meanwhile
 constexpr double kDraw = 0.03;                 // [m/s]
+constexpr double kHoldTail = 0.15;             // [1] of that for the tail: it is to stay short
 constexpr double kReach = 0.09;                // [m] as far as an arm draws
 constexpr double kFeel = 0.5, kFeelTime = 0.05;   // [N], [s]
 constexpr double kHoldTight = 0.3;             // [s]
@@ -85,7 +86,8 @@ Pose laid(const Scene& s, int hand, const Vec3& position, std::array<Vec3, 2> sh
 
 Pose keepTurn(const Scene& s, int hand, const Vec3& position) { return {position, s.memory.hand[hand].command.orientation}; }
 
-Vec3 driverPlace(const Scene& s) { return stitch(s) + kHeight * s.action.longEnd * upward(s) - kUpJaws * driverShaft(s); }
+double longLength(const Scene& s) { return s.state.tools[kLeft].threadCoordinate - longHole(s).coordinate; }   // [m]
+Vec3 driverPlace(const Scene& s) { return stitch(s) + kHeight * longLength(s) * upward(s) - kUpJaws * driverShaft(s); }
 Pose driverPose(const Scene& s, double back) {   // [m] along its shaft
   return laid(s, kRight, driverPlace(s) + back * driverShaft(s), {driverShaft(s), s.memory.knot.side});
 }
@@ -108,7 +110,7 @@ Pose windingPose(const Scene& s, const Vec3& driver, double swept) {   // [m], [
   const KnotPlan& k = s.memory.knot;
   const Vec3 out = cosine(swept) * k.side + sine(swept) * k.throws[k.current].over * upward(s);
   const Vec3 loop = driver + kUpJaws * driverShaft(s);
-  const double length = s.state.tools[kLeft].threadCoordinate - longHole(s).coordinate - kSlack - kPerThrow * k.current - k.given;   // [m]
+  const double length = longLength(s) - kSlack - kPerThrow * k.current - k.given;   // [m]
   const Vec3 from = loop - holePoint(s.model, longHole(s), s.state.tissue.position);
   double free = length - from.norm() - kLoop * (swept - 0.5 * kPi);      // [m] beyond the jaws
   if (swept < 0.5 * kPi) {                     // the thread does not touch them yet: |from + free out| = length
@@ -260,7 +262,7 @@ bool drawTight(const Scene& s) {
   for (int h = 0; h < kHands; ++h) {
     k.felt[h] += s.dt / kFeelTime * (s.state.tools[h].threadForce.norm() - k.felt[h]);
     const double lack = (s.action.tension - k.felt[h]) / kFeel;   // [1]
-    const double pace = std::fmax(-1.0, std::fmin(1.0, lack));    // [1]
+    const double pace = std::fmax(-1.0, std::fmin(h == kRight ? kHoldTail : 1.0, lack));   // [1]
     k.drawn[h] = std::fmin(kReach, std::fmax(0.0, k.drawn[h] + pace * kDraw * s.dt));
     tight = tight && (lack < 0.2 || k.drawn[h] >= kReach);
     const Vec3 way = (h == kLeft ? -1.0 : 1.0) * k.side;
