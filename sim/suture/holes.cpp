@@ -113,8 +113,7 @@ Vec3 settleFriction(const Model& m, State& state, int i, const Vec3& solved) {
   const double tip = tipCoordinate(m.strand);                  // past the tip there is no strand: the way out of the hole counts
   const double from = h.coordinate < tip ? h.coordinate : tip;
   const double wanted = from + (magnitude(slide) > kMostSlide ? h.slip * kMostSlide : slide);
-  h.coordinate = withinReach(m, s, w, i, wanted);
-  if (h.coordinate != wanted) h.slip = 0;
+  h.coordinate = withinReach(m, s, w, i, wanted);   // at its limit it slides on: the straight strand inside carries the pull to its neighbour
   return solved;
 }
 
