@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "scenes/knot_plan.h"
 #include "scenes/scene.h"
 #include "scenes/toml_input.h"
 
@@ -22,6 +23,7 @@ constexpr NumberKey kSutureNumbers[] = {
     {"angle_deg", &ExpertAction::angleDegrees, -360.0, 360.0, 1.0}, {"depth_mm", &ExpertAction::depth, 1.0, 15.0, 1e-3},
     {"width_mm", &ExpertAction::width, 2.0, 14.0, 1e-3},            {"pull_mm", &ExpertAction::pull, 0.0, 300.0, 1e-3},
     {"tension_n", &ExpertAction::tension, 0.05, 20.0, 1.0},         {"limit_s", &ExpertAction::seconds, 0.01, 600.0, 1.0},
+    {"long_end_mm", &ExpertAction::longEnd, 30.0, 120.0, 1e-3},
 };
 constexpr NumberKey kNeedleNumbers[] = {
     {"angle_deg", &ExpertAction::angleDegrees, 5.0, 90.0, 1.0},     {"depth_mm", &ExpertAction::depth, 0.5, 100.0, 1e-3},
@@ -29,7 +31,7 @@ constexpr NumberKey kNeedleNumbers[] = {
     {"period_s", &ExpertAction::period, 0.2, 20.0, 1.0},            {"speed_mm_s", &ExpertAction::speed, 0.1, 200.0, 1e-3},
     {"distance_mm", &ExpertAction::distance, 1.0, 60.0, 1e-3},      {"limit_s", &ExpertAction::seconds, 0.01, 600.0, 1.0},
 };
-constexpr const char* kSutureKinds[] = {"bite", "take_tails", "tighten", "hold"};
+constexpr const char* kSutureKinds[] = {"bite", "take_tails", "tighten", "tie", "let_go", "hold"};
 constexpr const char* kNeedleKinds[] = {"find", "press", "insert", "twirl", "lift_thrust", "withdraw"};
 
 bool isOneOf(std::span<const char* const> kinds, const std::string& text) {
@@ -53,7 +55,7 @@ std::string readKind(const toml::table& table, const std::string& origin) {
   if (!node) throw InputError(whereIs(origin, table, "action") + ": has no do");
   const std::string where = whereIs(origin, *node, "action.do"), kind = requireText(*node, where);
   if (isOneOf(kSutureKinds, kind) || isOneOf(kNeedleKinds, kind)) return kind;
-  throw InputError(where + ": '" + quoted(kind) + "' is not one of bite, take_tails, tighten, hold, find, press, insert, twirl, lift_thrust, withdraw");
+  throw InputError(where + ": '" + quoted(kind) + "' is not one of bite, take_tails, tighten, tie, let_go, hold, find, press, insert, twirl, lift_thrust, withdraw");
 }
 
 int readCycles(const toml::node& node, const std::string& where) {
@@ -62,6 +64,13 @@ int readCycles(const toml::node& node, const std::string& where) {
   const std::int64_t value = *node.value<std::int64_t>();
   if (value < 1 || value > kMost) throw InputError(where + ": must be 1 to 1000");
   return static_cast<int>(value);
+}
+
+std::string readTie(const toml::node& node, const std::string& where) {
+  const std::string text = requireText(node, where);
+  if (parseThrows(text).empty())
+    throw InputError(where + ": '" + quoted(text) + "' is not a knot: turns 1 to 3 joined by = or x, such as 1=1 or 2=1=1");
+  return text;
 }
 
 ExpertAction readAction(const toml::table& table, const std::string& origin) {
@@ -75,8 +84,10 @@ ExpertAction readAction(const toml::table& table, const std::string& origin) {
     if (key == "do") continue;
     if (needle && key == "point") action.point = requireText(node, where);
     else if (needle && key == "cycles") action.cycles = readCycles(node, where);
+    else if (!needle && key == "tie") action.tie = readTie(node, where);
     else readNumber(node, where, key, action);
   }
+  if (action.kind == "tie" && action.tie.empty()) throw InputError(whereIs(origin, table, "action") + ": do = \"tie\" has no tie = \"1=1\"");
   return action;
 }
 

@@ -14,7 +14,7 @@
 namespace halsted::scenes {
 
 struct ExpertAction {
-  std::string kind;                            // a suture's: "bite", "take_tails", "tighten", "hold": see scenes/expert_run.cpp
+  std::string kind;                            // a suture's: "bite", "take_tails", "tighten", "tie", "let_go", "hold": see scenes/expert_run.cpp
                                                // a needle's: "find", "press", "insert", "twirl", "lift_thrust", "withdraw", "hold"
   double angleDegrees = 0.0;                   // angle_deg [deg] round the opening, 0 at +x, counter-clockwise seen by the surgeon; of a needle
                                                // to the skin, 0: as the point's textbook says
@@ -23,6 +23,8 @@ struct ExpertAction {
   double pull = 0.03;                          // pull_mm [m] of thread drawn through after the bite
   double tension = 1.0;                        // tension_n [N] at which tightening stops
   double seconds = 60.0;                       // limit_s [s] of the action; of a hold, its length
+  std::string tie;                             // tie: throws as surgeons write them, "1=1", "2=1=1", "1x1"
+  double longEnd = 0.055;                      // long_end_mm [m] of thread between the stitch and the hand that winds it
   std::string point;                           // point: an acupoint's id; empty: the one the scene is set for
   int cycles = 1;                              // cycles [1] twirls or lifts
   double twirlDegrees = 150.0;                 // twirl_deg [deg] from end to end

@@ -13,6 +13,8 @@ bool runAction(const Scene& scene, std::string& failure) {
   if (scene.action.kind == "bite") return runBite(scene, failure);
   if (scene.action.kind == "take_tails") return runTakeTails(scene, failure);
   if (scene.action.kind == "tighten") return runTighten(scene, failure);
+  if (scene.action.kind == "tie") return runTie(scene, failure);
+  if (scene.action.kind == "let_go") return runLetGo(scene);
   if (scene.action.kind == "hold") return scene.inPhase >= scene.action.seconds;
   return runNeedling(scene, failure);
 }
@@ -37,7 +39,7 @@ void nextAction(const State& state, ExpertState& e) {
 /// Is this an action of the scene's kind, on a point that it has?
 void checkTechnique(const ExpertAction& a, const Model& model) {
   const std::string where = "line " + std::to_string(a.line) + ": action.";
-  const bool suture = a.kind == "bite" || a.kind == "take_tails" || a.kind == "tighten";
+  const bool suture = a.kind == "bite" || a.kind == "take_tails" || a.kind == "tighten" || a.kind == "tie" || a.kind == "let_go";
   if (a.kind != "hold" && suture == model.body.has_value())
     throw InputError(where + "do: '" + a.kind + "' is not done in a scene of this kind");
   if (a.point.empty()) return;

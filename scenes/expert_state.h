@@ -3,6 +3,7 @@
 #include "scenes/bite_plan.h"
 #include "scenes/expert.h"
 #include "scenes/hand_motion.h"
+#include "scenes/knot_plan.h"
 
 namespace halsted::scenes {
 
@@ -38,6 +39,7 @@ struct ExpertState {
   double place = 0.0;                          // [m] coordinate where a tail is to be taken
   double settled = 0.0;                        // [s] since the tails stopped coming
   std::array<Pose, kHands> goal;               // of the phase under way
+  KnotPlan knot;
   NeedlePlan needle;
 };
 
@@ -55,6 +57,10 @@ struct Scene {
 bool runBite(const Scene&, std::string& failure);
 bool runTakeTails(const Scene&, std::string& failure);
 bool runTighten(const Scene&, std::string& failure);
+/// One knot, throw after throw, with the right hand's driver; both hands hold the ends when it is done.
+bool runTie(const Scene&, std::string& failure);
+/// Both hands let go and rise.
+bool runLetGo(const Scene&);
 /// Every action of a needle. Returns true when it is finished.
 bool runNeedling(const Scene&, std::string& failure);
 /// Where both tools of a needling scene start.
@@ -68,5 +74,7 @@ bool moveHand(const Scene&, int hand, const Pose& goal, double speed);   // [m/s
 /// Comes down on `grip` along the shaft with open jaws and closes them; true once closed. Uses phases `first` to `first + 2`.
 bool pickUp(const Scene&, int hand, const Pose& grip, int first);
 Pose parked(int hand);
+/// Grip on the thread at a coordinate: from the surgeon's side, jaws opening across the thread, whichever way round is nearer.
+Pose threadGrip(const Scene&, int hand, double coordinate);   // [m]
 
 }  // namespace halsted::scenes

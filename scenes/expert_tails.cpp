@@ -22,25 +22,12 @@ constexpr double kTight = 0.3;                 // [1] of the speed: nothing come
 constexpr double kHoldTight = 1.5;             // [s]
 constexpr double kSnug = 0.15, kClosed = 0.13; // [1] of the opening at rest: it lies on the anvil; no need to draw any more
 
-/// Grip on the thread at a coordinate: from the surgeon's side, jaws opening across the thread, whichever way round is nearer.
-Pose threadGrip(const Scene& s, int hand, double coordinate) {
-  const Vec3 p = strandPoint(s.model.strand, s.state.strand, coordinate);
-  Vec3 t = strandTangent(s.model.strand, s.state.strand, coordinate);
-  t.z() = 0.0;
-  const Vec3 now = s.memory.hand[hand].command.orientation * Vec3::UnitY();
-  const Vec3 line = t.norm() > 0.1 ? Vec3(t.normalized()) : Vec3(Vec3::UnitY());
-  const Vec3 along = line.dot(now) < 0.0 ? Vec3(-line) : line;
-  Mat3 axes;
-  axes << along.cross(Vec3::UnitZ()), along, Vec3::UnitZ();
-  return {p, Quat(axes).normalized()};
-}
-
 /// Distance of a place on the thread from the wall and from the rest of the thread: jaws that close there take hold of nothing else.  [m]
 double clearance(const Scene& s, double coordinate) {
   const Vec3 p = strandPoint(s.model.strand, s.state.strand, coordinate);
   double clear = (p - s.state.tissue.position[nearestVertex(s.model.surface, s.state.tissue.position, p)]).norm();   // [m]
   for (int i = 0; i < s.model.strand.nodes; ++i) {
-    if (std::fabs(i * s.model.strand.segment - coordinate) < kSamePlace) continue;
+    if (std::fabs(s.model.strand.place[i] - coordinate) < kSamePlace) continue;
     clear = std::fmin(clear, (p - s.state.strand.position[i]).norm());
   }
   return std::fmin(clear, kClear);
@@ -82,6 +69,18 @@ bool takeThread(const Scene& s, int hand, int first, double (*think)(const Scene
 double opening(const State& s, const Model& m) { return s.metrics.openingArea / m.restOpening; }   // [1]
 
 }  // namespace
+
+Pose threadGrip(const Scene& s, int hand, double coordinate) {
+  const Vec3 p = strandPoint(s.model.strand, s.state.strand, coordinate);
+  Vec3 t = strandTangent(s.model.strand, s.state.strand, coordinate);
+  t.z() = 0.0;
+  const Vec3 now = s.memory.hand[hand].command.orientation * Vec3::UnitY();
+  const Vec3 line = t.norm() > 0.1 ? Vec3(t.normalized()) : Vec3(Vec3::UnitY());
+  const Vec3 along = line.dot(now) < 0.0 ? Vec3(-line) : line;
+  Mat3 axes;
+  axes << along.cross(Vec3::UnitZ()), along, Vec3::UnitZ();
+  return {p, Quat(axes).normalized()};
+}
 
 /// Phase 0: looks; what is closed needs no other grip. 1 to 3: the right hand takes the thread at the last exit. 4: the left lets the needle go. 5 to 7: it takes the tail.
 bool runTakeTails(const Scene& s, std::string& failure) {

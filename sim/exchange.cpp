@@ -18,6 +18,9 @@ const char* name(EventKind kind) {
     case EventKind::kStepDone: return "step done";
     case EventKind::kFault: return "fault";
     case EventKind::kProcedureCompleted: return "procedure completed";
+    case EventKind::kThreadBroken: return "thread broken";
+    case EventKind::kThrowTied: return "throw tied";
+    case EventKind::kThrowLost: return "throw lost";
     case EventKind::kLayerPunctured: return "layer punctured";
   }
   return "unknown event";

@@ -56,6 +56,7 @@ struct LocalContact {
 enum class EventKind : std::uint8_t {
   kNeedleEntered, kNeedleExited, kBiteCompleted, kNeedleGrasped, kNeedleReleased, kThreadGrasped, kThreadReleased,
   kTissueGrasped, kTissueReleased, kChannelTorn, kChannelEmptied, kStepDone, kFault, kProcedureCompleted,
+  kThreadBroken, kThrowTied, kThrowLost,
   kLayerPunctured                            // index: layer from the skin; value: the surface term that fell away [N]
 };
 const char* name(EventKind);

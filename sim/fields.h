@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -38,6 +39,7 @@ template <> inline constexpr int kScalars<Quat> = 4;
 
 template <class T> struct ArrayTraits { static constexpr bool isArray = false, isVector = false; };
 template <class T> struct ArrayTraits<std::vector<T>> { static constexpr bool isArray = true, isVector = true; using Item = T; };
+template <class T> struct ArrayTraits<std::span<T>> { static constexpr bool isArray = true, isVector = false; using Item = T; };
 template <class T, std::size_t N> struct ArrayTraits<std::array<T, N>> { static constexpr bool isArray = true, isVector = false; using Item = T; };
 
 template <class T> inline constexpr bool kOptional = false;
@@ -51,7 +53,7 @@ template <class V> struct FieldWalk {
   V& visitor;
   FieldPath path{};
 
-  template <class... T> void members(const char* names, T&... field) {
+  template <class... T> void members(const char* names, T&&... field) {
     int member = 0;
     (one(names, member++, field), ...);
   }
@@ -104,6 +106,22 @@ HALSTED_FIELDS(Hole, tet, weight, coordinate, force, slip, bite, role, entryCosi
 HALSTED_FIELDS(StrandContact, sample, feature, normalForce, force, weight)
 HALSTED_FIELDS(StrandState, position, velocity, tension, needle, needleVelocity, needleSpin, nearVertex, holes, holeCount, contacts,
                contactCount, bitesBegun)
+HALSTED_FIELDS(ThreadContact, sample, partner, place, normalForce, friction)
+/// Nothing at all in a scene whose thread does not meet itself; otherwise only the contacts there are, for the table is long.
+template <class V> void visitMembers(ThreadContactState& object, FieldWalk<V>& walk) {
+  auto& [contacts, count, dropped, drag, cut] = object;
+  if (drag.empty()) return;
+  walk.members("count, dropped, drag, cut", count, dropped, drag, cut);
+  if (count < 0 || count > ThreadContactState::kMaxContacts) count = 0;   // read from damaged data
+  walk.members("contacts", std::span<ThreadContact>(contacts.data(), static_cast<std::size_t>(count)));
+}
+template <class V> void visitMembers(KnotState& object, FieldWalk<V>& walk) {
+  auto& [watched, complete, throws, turns, sense, crossingsLeft, gap, size, toolTurns, breaks] = object;
+  if (!watched) return;
+  walk.members("complete, throws, turns, sense, crossingsLeft, gap, size, toolTurns, breaks", complete, throws, turns, sense, crossingsLeft,
+               gap, size, toolTurns, breaks);
+  if (throws < 0 || throws > KnotState::kMostThrows) throws = 0;   // read from damaged data
+}
 HALSTED_FIELDS(ToolState, device, proxy, jaw, closed, ratchet, force, holdsNeedle, needleCoordinate, needleInTool, needleForce, threadCoordinate,
                threadForce, strandForce, graspCount, graspTriangle, graspWeight, graspLocal, graspForce, contactCount, contactTriangle,
                contactWeight, contactNormal, contactForce, nearCount, nearTriangle)
@@ -121,7 +139,7 @@ HALSTED_FIELDS(Winding, angle, turned, length, torque, grasp)
 HALSTED_FIELDS(NeedlingState, step, skinUnit, fingerUnit, contact, outward, entry, axis, layers, depth, pressed, fingerDepth, fingerPlace,
                fingerNormal, needleTurn, friction, cut, winding, inside)
 template <class V> void visitMembers(StepWork&, V&) {}   // scratch is not part of the state's value
-HALSTED_FIELDS(State, step, random, tissue, strand, tools, procedure, metrics, needling, work)
+HALSTED_FIELDS(State, step, random, tissue, strand, threadContacts, knot, tools, procedure, metrics, needling, work)
 
 #undef HALSTED_FIELDS
 

@@ -32,6 +32,13 @@ void beginSuture(const Model& m, State& s) {
   driver.needleCoordinate = m.strand.length + kHoldShare * (tipCoordinate(m.strand) - m.strand.length);
   driver.needleInTool = needleInTool(m.strand, driver.needleCoordinate);
   s.strand = restState(m.strand, compose(driver.proxy, driver.needleInTool));
+  if (m.params.thread.knots) {
+    const ThreadParams& t = m.params.thread;
+    s.threadContacts = restContacts(m.strand);
+    s.knot.watched = true;
+    s.work.knotReader = KnotReader(m.strand.nodes);
+    s.work.threadContacts = prepareContactWork(m.strand, {t.friction, t.lateralModulus, t.breakingTension});
+  }
   s.work.tissue = prepareWork(m.tissue);
   s.work.strand = prepareWork(m.strand);
   s.work.force.assign(m.mesh.vertices.size(), Vec3::Zero());

@@ -138,6 +138,15 @@ void measureSuture(const Model& m, State& s, StepOutput& out) {
   set(Quantity::kRimToAnvil, rimToRod(m, s.tissue.position));
   set(Quantity::kTailsHeld, (s.tools[0].threadCoordinate >= 0.0) + (s.tools[1].threadCoordinate >= 0.0));
   set(Quantity::kTears, metrics.tears);
+  const KnotState& knot = s.knot;
+  set(Quantity::kThrows, knot.throws);
+  set(Quantity::kKnotLocks, locks(knot));
+  set(Quantity::kWrongThrows, slides(knot));
+  set(Quantity::kFirstTurns, knot.turns[0]);
+  set(Quantity::kKnotGap, knot.gap);
+  set(Quantity::kKnotSize, knot.size);
+  set(Quantity::kToolTurns, knot.toolTurns[kRight] < 0 ? -knot.toolTurns[kRight] : knot.toolTurns[kRight]);
+  set(Quantity::kThreadBreaks, knot.breaks);
 }
 
 }  // namespace

@@ -42,6 +42,14 @@ struct ThreadParams {                          // [thread]
   double bendingStiffness = 5e-8;              // bending_stiffness [N m^2] braided, physics.md D
   double damping = 20.0;                       // damping [1/s] air and internal; tuned: a dropped thread settles in 0.2 s
   double channelDrag = 8.0;                    // channel_drag [N/m] drag per length of channel (design)
+  // Where knots are tied the thread has finer nodes; the ends fall on nodes of the rest. fine_segment 0: nowhere.
+  double fineFrom = 0.0, fineTo = 0.0;         // fine_from, fine_to [m] coordinates, 0 = free tail
+  double fineSegment = 0.0;                    // fine_segment [m] 0.2 to 0.4 mm make a knot of its own size
+  bool knots = false;                          // knots: thread meets itself, and tools within its own solve
+  int substeps = 4;                            // substeps [1] of the strand in a step, with knots
+  double friction = 0.35;                      // friction [1] thread on thread; see ThreadContactParams
+  double lateralModulus = 5e8;                 // lateral_modulus [Pa] of a squeezed braid (design)
+  double breakingTension = 26.3;               // breaking_tension [N] USP knot-pull minimum, 2-0 synthetic absorbable (physics.md D)
 };
 
 struct NeedleParams {                          // [needle]

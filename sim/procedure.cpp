@@ -6,6 +6,8 @@ namespace {
 constexpr std::array<const char*, kQuantities> kNames = {
     "time",          "needle_held",  "bites",            "stitch_across_opening", "bite_spacing", "bite_depth", "tail_tension",
     "peak_tension",  "opening_fraction", "rim_to_anvil", "tails_held",            "peak_force",   "tears",
+    "throws",        "knot_locks",   "wrong_throws",     "first_turns",           "knot_gap",     "knot_size",  "tool_turns",
+    "thread_breaks",
     "tip_to_point",  "finger_to_point", "skin_pressed",    "entry_offset",          "needle_depth", "depth_error", "angle_error",
     "layers_punctured", "twirls",       "lifts",           "needle_grasp",          "withdrawal_speed", "needle_out"};
 static_assert(kNames.back() != nullptr, "every quantity has a name");

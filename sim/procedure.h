@@ -26,6 +26,14 @@ enum class Quantity : std::uint8_t {
   kTailsHeld,              // tails_held               [1] hands that hold the thread
   kPeakForce,              // peak_force               [N] largest force on a hand so far
   kTears,                  // tears                    [1] channels torn
+  kThrows,                 // throws                   [1] tied in the thread
+  kKnotLocks,              // knot_locks               [1] throws that lie square on the one before (=)
+  kWrongThrows,            // wrong_throws             [1] throws wound the same way as the one before (x): granny
+  kFirstTurns,             // first_turns              [1] turns of the first throw: 2 in a surgeon's knot
+  kKnotGap,                // knot_gap                 [m] thread between tissue and knot: more than a few mm is an air knot
+  kKnotSize,               // knot_size                [m] thread within the knot: a loose loop is long
+  kToolTurns,              // tool_turns               [1] turns of thread about the right tool, of either sense
+  kThreadBreaks,           // thread_breaks            [1] places where the thread has parted
   kTipToPoint,             // tip_to_point             [m] needle's tip from the acupoint
   kFingerToPoint,          // finger_to_point          [m] pressing finger from the acupoint
   kSkinPressed,            // skin_pressed             [m] skin pressed in by the finger

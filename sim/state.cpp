@@ -158,6 +158,7 @@ bool load(const std::vector<std::uint8_t>& bytes, State& state, std::string& err
   visitFields(copy, loader);
   if (error.empty() && loader.at != bytes.size()) error = "more data than this scene's state holds";
   if (!error.empty()) return false;
+  copy.work = std::move(state.work);         // scratch keeps the room that was set aside for it: a copy would not
   state = std::move(copy);
   return true;
 }

@@ -10,6 +10,8 @@
 #include "sim/needling/needling.h"
 #include "sim/procedure.h"
 #include "sim/strand/strand_state.h"
+#include "sim/suture/knot_state.h"
+#include "sim/strand/thread_contacts.h"
 #include "sim/tissue/tissue_state.h"
 #include "sim/tools/tool_state.h"
 #include "sim/types.h"
@@ -22,6 +24,8 @@ struct State {
   std::uint64_t random = 1;                    // generator state (splitmix64)
   TissueState tissue;
   StrandState strand;
+  ThreadContactState threadContacts;           // empty unless `thread.knots`
+  KnotState knot;                              // nothing unless `thread.knots`
   std::array<ToolState, kHands> tools;
   ProcedureState procedure;
   MetricsState metrics;

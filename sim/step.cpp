@@ -4,6 +4,8 @@
 #include "sim/measure.h"
 #include "sim/needling/needling_scene.h"
 #include "sim/suture/holes.h"
+#include "sim/suture/knot_watch.h"
+#include "sim/suture/knotting.h"
 #include "sim/suture/strand_contacts.h"
 #include "sim/tissue/tissue.h"
 #include "sim/tools/grasp.h"
@@ -49,17 +51,23 @@ void moveTools(const Model& m, const StepInput& input, State& s, StepOutput& out
   for (int hand = 0; hand < kHands; ++hand) moveTool(m, hand, input.tools[hand], s, out);
 }
 
-void stepStrand(const Model& m, const std::array<CapsuleShape, kSolids>& solidsBefore, State& s, StepOutput& out) {
+bool solveThread(const Model& m, const KnottingMotion& motion, State& s, StepOutput& out) {
+  if (m.params.thread.knots) return solveKnottedStrand(m, motion, s, out);
+  return solveStrand(m.strand, m.params.dt, m.params.gravity, s.strand, s.work.strand);
+}
+
+void stepStrand(const Model& m, KnottingMotion motion, State& s, StepOutput& out) {
   s.work.strand.linkCount = s.work.strand.turnCount = 0;
   linkHoles(m, s);
   const int firstContact = s.work.strand.linkCount;
-  linkContacts(m, {solidsBefore, worldSolids(m, s)}, s);
-  std::array<GraspLinks, kHands> grasps;
-  for (int hand = 0; hand < kHands; ++hand) grasps[hand] = linkGrasp(m, hand, s);
-  if (!solveStrand(m.strand, m.params.dt, m.params.gravity, s.strand, s.work.strand)) return;
+  motion.solids.now = worldSolids(m, s);
+  linkContacts(m, motion.solids, s);
+  for (int hand = 0; hand < kHands; ++hand) motion.grasps[hand] = linkGrasp(m, hand, s);
+  if (!solveThread(m, motion, s, out)) return;
   settleHoles(m, s, out);
   settleContacts(m, firstContact, s, out);
-  for (int hand = 0; hand < kHands; ++hand) settleGrasp(m, hand, grasps[hand], s, out);
+  settleToolForces(s);
+  for (int hand = 0; hand < kHands; ++hand) settleGrasp(m, hand, motion.grasps[hand], s, out);
 }
 
 /// Moves the tissue by its answer to the changes of force gathered so far.
@@ -92,7 +100,7 @@ void stepSuture(const Model& m, const StepInput& input, State& s, StepOutput& ou
     updateProxy(m, hand, s);
     slipGrasp(m, hand, s, out);
   }
-  stepStrand(m, solidsBefore, s, out);
+  stepStrand(m, {{solidsBefore, {}}, before, {}}, s, out);
   solveTissueContact(m, s);
   answerChange(m, s);
   finishTissue(m.tissue, s.tissue, s.work.tissue);
@@ -109,6 +117,7 @@ void step(const Model& m, const StepInput& given, State& s, StepOutput& out) {
     case ModelKind::kNeedling: stepNeedling(m, input, s, out); break;
   }
   ++s.step;
+  watchKnots(m, s, out);
   measure(m, input, s, out);
   stepProcedure(m, s, out);
   for (LocalContact& c : out.contact) c.step = s.step;

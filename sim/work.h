@@ -3,7 +3,9 @@
 #include <array>
 #include <vector>
 
+#include "sim/strand/knot_diagram.h"
 #include "sim/strand/strand.h"
+#include "sim/strand/thread_contacts.h"
 #include "sim/tissue/tissue_state.h"
 #include "sim/tools/tool_state.h"
 #include "sim/types.h"
@@ -75,6 +77,10 @@ struct StepWork {
   TouchWork touch;
   TissueWork tissue;
   StrandWork strand;
+  ThreadContactWork threadContacts;            // empty unless `thread.knots`
+  std::array<ThreadSolid, kHands * 3 + 1> threadSolids;   // what the thread may lie against, in a substep
+  KnotReader knotReader;
+  std::array<Vec3, kHands> threadOnTool = zeroVectors<kHands>();   // [N] mean of the substeps
   HoleWork holes;
   std::array<StrandContact, StrandState::kMaxContacts> freshContacts;   // found in this step
   int freshCount = 0;

@@ -35,7 +35,7 @@ void CoupledSolve::resize(int threadNodes) {
   graph_.assign(static_cast<std::size_t>(kMaxCore) * kMaxCore, 0);
   degree_.reserve(kMaxCore);
   order_.reserve(kMaxCore);
-  pairs_.reserve(8192);
+  pairs_.reserve(kMaxPairs);
   stretches_.reserve(kMaxCore + 6);
   band_.assign(static_cast<std::size_t>(3 * blocks_ + kHalf) * kStride, 0.0);
   border_.assign(static_cast<std::size_t>(3 * blocks_ + kHalf) * kBorder, 0.0);

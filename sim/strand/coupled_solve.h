@@ -14,6 +14,7 @@ namespace halsted {
 class CoupledSolve {
  public:
   static constexpr int kMaxCore = 400;         // nodes that touch at once; `couple` refuses more
+  static constexpr std::size_t kMaxPairs = 8192;   // of three-node groups
   static constexpr int kMaxEnvelope = 900000;  // scalars in the envelope
 
   void resize(int threadNodes);

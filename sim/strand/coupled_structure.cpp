@@ -14,7 +14,7 @@ void CoupledSolve::clearStructure() {
 
 bool CoupledSolve::couple(int nodeA, int nodeB) {
   if (!pairs_.empty() && pairs_.back() == std::pair(nodeA, nodeB)) return true;
-  if (pairs_.size() == pairs_.capacity()) return false;
+  if (pairs_.size() >= kMaxPairs) return false;
   int fresh = 0;
   for (int k = 0; k < 3; ++k) fresh += (inCore_[nodeA + k] ? 0 : 1) + (inCore_[nodeB + k] ? 0 : 1);
   if (static_cast<int>(core_.size()) + fresh > kMaxCore) return false;

@@ -14,7 +14,7 @@ Frame frameOf(const Vec3& direction) {
   return {u, w.cross(u), w};
 }
 
-struct SeenVisit { double along; int crossing; bool over; };   // [1] piece + fraction
+using SeenVisit = KnotReader::Visit;
 
 /// Crossing of two pieces as seen; false when they do not cross.
 bool crossPieces(const std::vector<Vec3>& seen, int i, int j, SeenVisit& first, SeenVisit& second, int& sign) {
@@ -24,8 +24,8 @@ bool crossPieces(const std::vector<Vec3>& seen, int i, int j, SeenVisit& first, 
   const double s = (d.x() * b.y() - d.y() * b.x()) / cross, t = (d.x() * a.y() - d.y() * a.x()) / cross;   // [1]
   if (s < 0.0 || s >= 1.0 || t < 0.0 || t >= 1.0) return false;
   const bool firstOver = seen[i].z() + s * a.z() > seen[j].z() + t * b.z();
-  first = {i + s, 0, firstOver};
-  second = {j + t, 0, !firstOver};
+  first = {i + s, {0, firstOver}};
+  second = {j + t, {0, !firstOver}};
   sign = (cross > 0.0) == firstOver ? 1 : -1;
   return true;
 }
@@ -75,24 +75,51 @@ int throwAt(const KnotDiagram& d, int i) {
 
 }  // namespace
 
-KnotDiagram projectThread(std::span<const Vec3> curve, const Vec3& direction) {
+namespace {
+
+void turn(std::span<const Vec3> curve, const Vec3& direction, std::vector<Vec3>& seen) {   // [m], [1], [m]
   const Frame f = frameOf(direction);
-  std::vector<Vec3> seen;
+  seen.clear();
   for (const Vec3& x : curve) seen.push_back(Vec3(f.right.dot(x), f.up.dot(x), f.toward.dot(x)));
-  std::vector<SeenVisit> visits;
-  KnotDiagram d;
+}
+
+/// All crossings of the pieces as seen; false when there are more than `most`.
+bool findCrossings(const std::vector<Vec3>& seen, std::size_t most, std::vector<SeenVisit>& visits, KnotDiagram& d) {
+  visits.clear();
+  d.sign.clear();
+  d.code.clear();
   for (int i = 0; i + 1 < static_cast<int>(seen.size()); ++i)
     for (int j = i + 2; j + 1 < static_cast<int>(seen.size()); ++j) {
       SeenVisit a, b;
       int sign = 0;
       if (!crossPieces(seen, i, j, a, b, sign)) continue;
-      a.crossing = b.crossing = static_cast<int>(d.sign.size());
+      if (d.sign.size() == most) return false;
+      a.visit.crossing = b.visit.crossing = static_cast<int>(d.sign.size());
       d.sign.push_back(sign);
       visits.push_back(a);
       visits.push_back(b);
     }
-  std::stable_sort(visits.begin(), visits.end(), [](const SeenVisit& a, const SeenVisit& b) { return a.along < b.along; });
-  for (const SeenVisit& v : visits) d.code.push_back({v.crossing, v.over});
+  std::sort(visits.begin(), visits.end(), [](const SeenVisit& a, const SeenVisit& b) {
+    if (a.along != b.along) return a.along < b.along;
+    return a.visit.crossing != b.visit.crossing ? a.visit.crossing < b.visit.crossing : a.visit.over && !b.visit.over;
+  });
+  return true;
+}
+
+void widen(NodeRange& range, int node) {
+  range.first = range.first < 0 ? node : std::min(range.first, node);
+  range.last = std::max(range.last, node);
+}
+
+}  // namespace
+
+KnotDiagram projectThread(std::span<const Vec3> curve, const Vec3& direction) {
+  std::vector<Vec3> seen;
+  std::vector<SeenVisit> visits;
+  KnotDiagram d;
+  turn(curve, direction, seen);
+  findCrossings(seen, seen.size() * seen.size(), visits, d);
+  for (const SeenVisit& v : visits) d.code.push_back(v.visit);
   return d;
 }
 
@@ -100,36 +127,69 @@ void reduceDiagram(KnotDiagram& d) {
   while (loopMove(d) || pairMove(d)) {}
 }
 
-KnotReading readKnot(std::span<const Vec3> curve) {
-  const std::vector<Vec3> straight = straightened(curve);
-  // Directions without symmetry; the one with the fewest crossings left shows the knot best.
-  const Vec3 views[] = {{0.11, 0.07, 1.0}, {1.0, 0.13, 0.09}, {0.05, 1.0, 0.12}, {1.0, 0.9, 0.17},  {-0.8, 1.0, 0.21},
-                        {0.19, 1.0, 0.8},  {0.23, -1.0, 0.9}, {1.0, 0.15, 0.7}, {-0.9, 0.27, 1.0}, {0.8, 0.9, 1.0}};
-  KnotDiagram best;
-  bool first = true;
-  for (const Vec3& view : views) {
-    KnotDiagram d = projectThread(straight, view);
-    reduceDiagram(d);
-    if (first || d.crossings() < best.crossings()) best = d;
-    first = false;
+KnotReader::KnotReader(int nodes) {
+  straight_.reserve(nodes + 2);
+  seen_.reserve(nodes + 2);
+  node_.reserve(nodes + 2);
+  visits_.reserve(2 * kMostCrossings);
+  for (KnotDiagram* d : {&diagram_, &best_}) {
+    d->code.reserve(2 * kMostCrossings);
+    d->sign.reserve(kMostCrossings);
   }
+}
+
+bool KnotReader::project(const Vec3& direction) {
+  turn(straight_, direction, seen_);
+  if (!findCrossings(seen_, kMostCrossings, visits_, diagram_)) return false;
+  for (SeenVisit& v : visits_) {
+    v.visit.node = node_[static_cast<std::size_t>(v.along)];
+    diagram_.code.push_back(v.visit);
+  }
+  reduceDiagram(diagram_);
+  return true;
+}
+
+KnotReading KnotReader::takeThrows() {
   KnotReading reading;
   int where = -1;                              // position at which the last throw was taken out
   reading.complete = true;
-  for (int i = 0; i < static_cast<int>(best.code.size());) {
-    const int n = throwAt(best, i);
-    if (n == 0) { ++i; continue; }
+  for (int i = 0; i < static_cast<int>(best_.code.size());) {
+    const int n = throwAt(best_, i);
+    if (n == 0 || !reading.throws.add({(n - 1) / 2, best_.sign[best_.code[i].crossing]})) { ++i; continue; }
     // The next throw of the same loop encloses the last: it begins before the place and ends after it.
     if (where >= 0 && !(i < where && where < i + 2 * n)) reading.complete = false;
-    reading.throws.push_back({(n - 1) / 2, best.sign[best.code[i].crossing]});
-    best.code.erase(best.code.begin() + i, best.code.begin() + i + 2 * n);
+    for (int k = 0; k < n; ++k) {
+      widen(reading.tailSide, best_.code[i + k].node);
+      widen(reading.tipSide, best_.code[i + n + k].node);
+    }
+    best_.code.erase(best_.code.begin() + i, best_.code.begin() + i + 2 * n);
     where = i;
     i = 0;
   }
-  reading.crossingsLeft = best.crossings();
+  reading.crossingsLeft = best_.crossings();
   reading.complete = reading.complete && reading.crossingsLeft == 0;
   return reading;
 }
+
+KnotReading KnotReader::read(std::span<const Vec3> curve) {
+  straighten(curve);
+  // Directions without symmetry; the one with the fewest crossings left shows the knot best.
+  constexpr double kViews[][3] = {{0.11, 0.07, 1.0}, {1.0, 0.13, 0.09}, {0.05, 1.0, 0.12}, {1.0, 0.9, 0.17},  {-0.8, 1.0, 0.21},   // [1]
+                                  {0.19, 1.0, 0.8},  {0.23, -1.0, 0.9}, {1.0, 0.15, 0.7}, {-0.9, 0.27, 1.0}, {0.8, 0.9, 1.0}};
+  bool found = false;
+  for (const auto& view : kViews) {
+    if (!project(Vec3(view[0], view[1], view[2]))) continue;
+    if (!found || diagram_.crossings() < best_.crossings()) std::swap(diagram_, best_);
+    found = true;
+    if (best_.crossings() == 0) break;
+  }
+  if (found) return takeThrows();
+  KnotReading tangle;
+  tangle.crossingsLeft = kMostCrossings;
+  return tangle;
+}
+
+KnotReading readKnot(std::span<const Vec3> curve) { return KnotReader(static_cast<int>(curve.size())).read(curve); }
 
 std::string surgicalNotation(const KnotReading& r) {
   std::string text;

@@ -4,7 +4,8 @@
 /// reduced by Reidemeister's first and second moves. A throw is a run of an odd number of crossings of one sign that both strands pass in
 /// the same order: 3 for one turn, 5 for a surgeon's double. Throws that enclose one another were tied on the same loop, innermost first;
 /// opposite signs lie square (=), equal signs make a granny (x).
-/// The two ends are led straight away from the middle of the thread. No libm; vectors are reused from call to call.
+/// The two ends are led straight away from the middle of the thread. No libm; a `KnotReader` takes no heap once made.
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,8 +14,8 @@
 
 namespace halsted {
 
-/// One passage of the thread through a crossing.
-struct CrossingVisit { int crossing; bool over; };
+/// One passage of the thread through a crossing; the node of the thread before it.
+struct CrossingVisit { int crossing; bool over; int node = 0; };
 
 struct KnotDiagram {
   std::vector<CrossingVisit> code;             // along the thread: each crossing twice, once over and once under
@@ -25,10 +26,30 @@ struct KnotDiagram {
 /// One throw: turns of one strand round the other, 1 single, 2 double; the sign of its crossings.
 struct Throw { int turns, sign; };
 
+/// Throws in the order in which they were tied.
+class ThrowList {
+ public:
+  static constexpr std::size_t kMost = 12;     // what lies beyond is counted as left over
+  std::size_t size() const { return count_; }
+  bool empty() const { return count_ == 0; }
+  const Throw& operator[](std::size_t i) const { return item_[i]; }
+  const Throw* begin() const { return item_.data(); }
+  const Throw* end() const { return item_.data() + count_; }
+  bool add(const Throw& t) { return count_ < kMost && (item_[count_++] = t, true); }
+
+ private:
+  std::array<Throw, kMost> item_{};
+  std::size_t count_ = 0;
+};
+
+/// Nodes of the thread from `first` to `last`.
+struct NodeRange { int first = -1, last = -1; };
+
 struct KnotReading {
-  std::vector<Throw> throws;                   // in the order in which they were tied
+  ThrowList throws;
   bool complete = false;                       // all crossings belong to throws on one loop
   int crossingsLeft = 0;                       // that belong to no throw
+  NodeRange tailSide, tipSide;                 // of the two strands within the knot
 };
 
 /// Crossings seen along `direction`.
@@ -45,6 +66,28 @@ long long knotDeterminant(const KnotDiagram&);
 std::vector<Vec3> straightened(std::span<const Vec3> curve);   // [m]
 
 KnotReading readKnot(std::span<const Vec3> curve);   // [m]
+
+/// Reads again and again without the heap.
+class KnotReader {
+ public:
+  static constexpr int kMostCrossings = 1200;  // in one view; what is more tangled is not read
+  struct Visit { double along; CrossingVisit visit; };   // [1] piece of the straightened thread + share
+
+  KnotReader() = default;
+  explicit KnotReader(int nodes);              // the longest curve that may be read
+  KnotReading read(std::span<const Vec3> curve);   // [m]
+
+ private:
+  friend std::vector<Vec3> straightened(std::span<const Vec3> curve);   // [m]
+  void straighten(std::span<const Vec3> curve);   // [m]
+  bool project(const Vec3& direction);         // [1] false: more crossings than fit
+  KnotReading takeThrows();
+
+  std::vector<Vec3> straight_, seen_;          // [m]
+  std::vector<int> node_;                      // of the thread, for each point of `straight_`
+  std::vector<Visit> visits_;
+  KnotDiagram diagram_, best_;
+};
 
 /// As surgeons write it: "1", "1=1", "1x1", "2=1=1"; empty when nothing is tied; "?" added when crossings are left over.
 std::string surgicalNotation(const KnotReading&);

@@ -37,9 +37,12 @@ bool isFree(const std::vector<Vec3>& x, int i) {
 
 }  // namespace
 
-std::vector<Vec3> straightened(std::span<const Vec3> curve) {
-  std::vector<Vec3> x(curve.begin(), curve.end());
-  if (x.size() < 4) return x;
+void KnotReader::straighten(std::span<const Vec3> curve) {
+  std::vector<Vec3>& x = straight_;
+  x.assign(curve.begin(), curve.end());
+  node_.clear();
+  for (int i = 0; i < static_cast<int>(x.size()); ++i) node_.push_back(i);
+  if (x.size() < 4) return;
   Vec3 low = x[0], high = x[0];
   for (const Vec3& p : x) { low = low.cwiseMin(p); high = high.cwiseMax(p); }
   const Vec3 middle = 0.5 * (low + high);
@@ -53,16 +56,24 @@ std::vector<Vec3> straightened(std::span<const Vec3> curve) {
   const Vec3 tail = led(x.front(), x[1]), tip = led(x.back(), x[x.size() - 2]);
   x.insert(x.begin(), tail);
   x.push_back(tip);
+  node_.insert(node_.begin(), 0);
+  node_.push_back(node_.back());
   for (bool changed = true; changed;) {
     changed = false;
     for (int i = 1; i + 1 < static_cast<int>(x.size());) {
       if (!isFree(x, i)) { ++i; continue; }
       x.erase(x.begin() + i);
+      node_.erase(node_.begin() + i);
       changed = true;
       ++i;                                     // every other node first: the thread shrinks evenly
     }
   }
-  return x;
+}
+
+std::vector<Vec3> straightened(std::span<const Vec3> curve) {
+  KnotReader reader(static_cast<int>(curve.size()));
+  reader.straighten(curve);
+  return reader.straight_;
 }
 
 }  // namespace halsted

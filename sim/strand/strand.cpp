@@ -1,21 +1,6 @@
 #include "sim/strand/strand.h"
 
 namespace halsted {
-namespace {
-
-struct ThreadSpot { int node; double fraction; };   // between node and node + 1, fraction [1]
-
-ThreadSpot threadSpot(const StrandModel& m, double s) {
-  double u = s / m.segment;
-  u = u < 0.0 ? 0.0 : u;
-  int node = static_cast<int>(u);
-  if (node > m.nodes - 2) node = m.nodes - 2;
-  const double fraction = u - node;
-  return {node, fraction > 1.0 ? 1.0 : fraction};
-}
-
-}  // namespace
-
 StrandWork prepareWork(const StrandModel& m) {
   StrandWork w;
   w.matrix.resize(3 * m.nodes + 6);
@@ -29,7 +14,7 @@ StrandState restState(const StrandModel& m, const Pose& needle) {
   StrandState s;
   s.needle = needle;
   const Vec3 swage = needle.apply(m.arcPoint.front());
-  for (int i = 0; i < m.nodes; ++i) s.position.push_back(swage - Vec3(0.0, m.segment * (m.nodes - 1 - i), 0.0));
+  for (int i = 0; i < m.nodes; ++i) s.position.push_back(swage - Vec3(0.0, m.regions.size() == 1 ? m.segment * (m.nodes - 1 - i) : m.length - m.place[i], 0.0));
   s.velocity.assign(m.nodes, Vec3::Zero());
   s.tension.assign(m.nodes - 1, 0.0);
   s.nearVertex.assign(m.nodes + m.sampleCoordinate.size(), 0);
@@ -59,7 +44,8 @@ Vec3 strandTangent(const StrandModel& m, const StrandState& s, double coordinate
     return s.needle.orientation * tangent;
   }
   // Over a segment's length about the point: the direction of one segment alone would jump as a hole slides past a node.
-  const double from = coordinate - 0.5 * m.segment, to = coordinate + 0.5 * m.segment;     // [m]
+  const double segment = segmentAt(m, coordinate);             // [m]
+  const double from = coordinate - 0.5 * segment, to = coordinate + 0.5 * segment;         // [m]
   const Vec3 d = strandPoint(m, s, to > m.length ? m.length : to) - strandPoint(m, s, from);
   const double length = d.norm();
   return length > 0.0 ? Vec3(d / length) : Vec3::UnitX();

@@ -1,5 +1,7 @@
 #include "sim/strand/strand_model.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "sim/portable_math.h"
@@ -20,6 +22,14 @@ void check(const SimParams& p) {
   require(p.thread.linearDensity > 0.0, "thread.linear_density must be positive");
   require(p.thread.axialStiffness > 0.0, "thread.axial_stiffness must be positive");
   require(p.thread.bendingStiffness >= 0.0, "thread.bending_stiffness must not be negative");
+  const double length = (p.thread.nodes - 1) * p.thread.segmentLength;   // [m]
+  const bool fine = p.thread.fineSegment > 0.0;
+  require(!fine || (p.thread.fineFrom >= 0.0 && p.thread.fineFrom < p.thread.fineTo && p.thread.fineTo <= length + 1e-9),
+          "thread.fine_from and thread.fine_to must name a stretch of the thread");
+  require(!fine || p.thread.fineSegment <= p.thread.segmentLength, "thread.fine_segment must not be longer than thread.segment_length");
+  require(!fine || (p.thread.fineTo - p.thread.fineFrom) / p.thread.fineSegment <= 2000.0, "thread.fine_segment makes more than 2000 nodes");
+  require(!p.thread.knots || (p.thread.substeps >= 1 && p.thread.substeps <= 20), "thread.substeps must lie between 1 and 20");
+  require(p.thread.breakingTension > 0.0, "thread.breaking_tension must be positive");
   require(p.needle.arcLength > 0.0, "needle.arc_length must be positive");
   require(p.needle.arcAngle > 0.5 && p.needle.arcAngle < 5.0, "needle.arc_angle must lie between 0.5 and 5 rad");
   require(p.needle.wireRadius > 0.0, "needle.wire_radius must be positive");
@@ -51,28 +61,83 @@ void buildNeedleBody(const SimParams& p, StrandModel& m) {
   m.needleInertia += m.needleMass * p.needle.wireRadius * p.needle.wireRadius * Mat3::Identity();
 }
 
+/// Coarse, fine, coarse: the fine stretch takes the place of whole coarse segments.
+void layOutRegions(const ThreadParams& t, StrandModel& m) {
+  const int coarse = t.nodes - 1;
+  m.length = coarse * t.segmentLength;
+  m.nodes = t.nodes;
+  m.finest = t.segmentLength;
+  if (!(t.fineSegment > 0.0)) { m.regions = {{0.0, 0, t.segmentLength}}; return; }
+  const int first = std::clamp(static_cast<int>(std::lround(t.fineFrom / t.segmentLength)), 0, coarse - 1);
+  const int last = std::clamp(static_cast<int>(std::lround(t.fineTo / t.segmentLength)), first + 1, coarse);
+  const double from = first * t.segmentLength, to = last * t.segmentLength;   // [m]
+  const int fine = static_cast<int>(std::lround((to - from) / t.fineSegment));
+  m.finest = (to - from) / fine;
+  if (first > 0) m.regions.push_back({0.0, 0, t.segmentLength});
+  m.regions.push_back({from, first, m.finest});
+  if (last < coarse) m.regions.push_back({to, first + fine, t.segmentLength});
+  m.nodes = first + fine + coarse - last + 1;
+}
+
+/// Energy of a discrete rod's curvature between unequal segments (Bergou et al. 2006).
+NodeBend bendBetween(double before, double after, double stiffness) {   // [m], [m], [N m^2]
+  const double mean = 0.5 * (before + after);  // [m]
+  return {stiffness / (mean * mean * mean), {mean / before, -(mean / before + mean / after), mean / after}};
+}
+
+void layOutNodes(const ThreadParams& t, StrandModel& m) {
+  for (std::size_t r = 0; r < m.regions.size(); ++r) {
+    const int end = r + 1 < m.regions.size() ? m.regions[r + 1].node : m.nodes - 1;
+    for (int i = m.regions[r].node; i < end; ++i) m.rest.push_back(m.regions[r].segment);
+  }
+  for (int i = 0; i < m.nodes; ++i) m.place.push_back(coordinateAt(m, i, 0.0));
+  for (double rest : m.rest) m.axialOf.push_back(t.axialStiffness / rest);
+  for (int i = 1; i + 1 < m.nodes; ++i) m.bend.push_back(bendBetween(m.rest[i - 1], m.rest[i], t.bendingStiffness));
+  m.mass.push_back(t.linearDensity * (0.5 * m.rest.front()));
+  for (int i = 1; i + 1 < m.nodes; ++i) m.mass.push_back(t.linearDensity * (0.5 * (m.rest[i - 1] + m.rest[i])));
+  m.mass.push_back(t.linearDensity * (0.5 * m.rest.back()));
+}
+
 }  // namespace
 
 StrandModel buildStrand(const SimParams& p) {
   check(p);
   StrandModel m;
   const ThreadParams& t = p.thread;
-  m.nodes = t.nodes;
   m.segment = t.segmentLength;
-  m.length = (t.nodes - 1) * t.segmentLength;
   m.radius = t.radius;
   m.axial = t.axialStiffness / t.segmentLength;
   m.bending = t.bendingStiffness / (t.segmentLength * t.segmentLength * t.segmentLength);
   m.damping = t.damping;
-  m.mass.assign(m.nodes, t.linearDensity * t.segmentLength);
-  m.mass.front() *= 0.5;
-  m.mass.back() *= 0.5;
+  layOutRegions(t, m);
+  layOutNodes(t, m);
   m.needle = {p.needle.arcLength / p.needle.arcAngle, p.needle.arcAngle, p.needle.wireRadius};
   buildArc(p.needle.arcAngle, m);
   buildNeedleBody(p, m);
   for (int i = 0; i < kNeedleSamples; ++i) m.sampleCoordinate.push_back(m.length + p.needle.arcLength * i / (kNeedleSamples - 1));
   return m;
 }
+
+ThreadSpot threadSpot(const StrandModel& m, double s) {
+  std::size_t r = m.regions.size() - 1;
+  while (r > 0 && s < m.regions[r].from) --r;
+  const StrandRegion& region = m.regions[r];
+  const int last = (r + 1 < m.regions.size() ? m.regions[r + 1].node : m.nodes - 1) - region.node - 1;
+  double u = (s - region.from) / region.segment;
+  u = u < 0.0 ? 0.0 : u;
+  int node = static_cast<int>(u);
+  if (node > last) node = last;
+  const double fraction = u - node;
+  return {region.node + node, fraction > 1.0 ? 1.0 : fraction};
+}
+
+double coordinateAt(const StrandModel& m, int node, double share) {
+  std::size_t r = m.regions.size() - 1;
+  while (r > 0 && node < m.regions[r].node) --r;
+  return m.regions[r].from + (node - m.regions[r].node + share) * m.regions[r].segment;
+}
+
+double segmentAt(const StrandModel& m, double s) { return m.rest[threadSpot(m, s).node]; }
 
 void arcAt(const StrandModel& m, double s, Vec3& point, Vec3& tangent) {
   const double arc = m.needle.radius * m.needle.angle;

@@ -2,6 +2,7 @@
 /// The strand: suture thread with its needle as one curve with one material coordinate s [m].
 ///   0 = free tail, L = swage (thread length), L + arc = needle tip.
 /// The thread is a rod of nodes (stretch EA, isotropic bending EI, straight at rest); the needle is a rigid arc.
+#include <array>
 #include <vector>
 
 #include "sim/exchange.h"
@@ -10,13 +11,31 @@
 
 namespace halsted {
 
+/// A stretch of thread with segments of one length.
+struct StrandRegion {
+  double from = 0.0;                           // [m] coordinate where it begins
+  int node = 0;                                // its first
+  double segment = 0.0;                        // [m]
+};
+
+/// Bending about one node: energy = stiffness / 2 |w0 x0 + w1 x1 + w2 x2|^2 over it and its neighbours; 1, -2, 1 between equal segments.
+struct NodeBend {
+  double stiffness = 0.0;                      // [N/m] EI / mean segment^3
+  std::array<double, 3> weight{};              // [1]
+};
+
 struct StrandModel {
   int nodes = 0;                               // thread nodes
-  double segment = 0.0;                        // [m] rest length
-  double length = 0.0;                         // [m] of the thread: (nodes - 1) * segment
+  double segment = 0.0;                        // [m] rest length outside the fine stretch
+  double finest = 0.0;                         // [m] shortest rest length
+  double length = 0.0;                         // [m] of the thread
   double radius = 0.0;                         // [m] of the thread
   double axial = 0.0;                          // [N/m] EA / segment
   double bending = 0.0;                        // [N/m] EI / segment^3
+  std::vector<StrandRegion> regions;           // in order; one unless there is a fine stretch
+  std::vector<double> place;                   // [m] coordinate of each node
+  std::vector<double> rest, axialOf;           // [m], [N/m] of each segment
+  std::vector<NodeBend> bend;                  // of each node but the two ends, from node 1
   double damping = 0.0;                        // [1/s]
   std::vector<double> mass;                    // [kg] per node
   NeedleShape needle;
@@ -32,6 +51,18 @@ struct StrandModel {
 StrandModel buildStrand(const SimParams&);
 
 inline double tipCoordinate(const StrandModel& m) { return m.length + m.needle.radius * m.needle.angle; }   // [m]
+
+/// Where a coordinate lies: between `node` and the next, this share of the way.
+struct ThreadSpot {
+  int node = 0;
+  double fraction = 0.0;                       // [1]
+};
+ThreadSpot threadSpot(const StrandModel&, double s);   // [m] clamped to the thread
+
+/// Coordinate of the place `share` [1] of the way from a node to the next.  [m]
+double coordinateAt(const StrandModel&, int node, double share);
+/// Rest length of the segments about a coordinate; that of the last on the needle.  [m]
+double segmentAt(const StrandModel&, double s);   // [m]
 
 /// Point and unit tangent (toward the tip) of the needle arc in its frame, at strand coordinate s in [L, L + arc].
 void arcAt(const StrandModel&, double s, Vec3& point, Vec3& tangent);

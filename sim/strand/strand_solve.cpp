@@ -44,6 +44,8 @@ struct Spot {
   Vec3 position = Vec3::Zero();                // [m] at the iterate
 };
 
+bool isCut(const ThreadTouch* touch, int segment) { return touch && touch->state.cut[segment]; }
+
 class Assembly {
  public:
   Assembly(const StrandModel& m, double dt, StrandWork& w, const ThreadTouch* touch) : model_(m), dt_(dt), work_(w), touch_(touch) {}
@@ -58,13 +60,8 @@ class Assembly {
       spot.position = needle.centre + spot.arm;
       return spot;
     }
-    double u = s / model_.segment;
-    u = u < 0.0 ? 0.0 : u;
-    spot.node = static_cast<int>(u);
-    if (spot.node > model_.nodes - 2) spot.node = model_.nodes - 2;
-    const double fraction = u - spot.node > 1.0 ? 1.0 : u - spot.node;
-    spot.weight0 = 1.0 - fraction;
-    spot.weight1 = fraction;
+    const auto [node, fraction] = threadSpot(model_, s);
+    spot = {node, 1.0 - fraction, fraction, Vec3::Zero(), Vec3::Zero()};
     spot.position = spot.weight0 * work_.iterate[spot.node] + spot.weight1 * work_.iterate[spot.node + 1];
     return spot;
   }
@@ -122,10 +119,10 @@ class Assembly {
     for (int i = 0; i + 1 < model_.nodes; ++i) {
       const Vec3 d = work_.iterate[i + 1] - work_.iterate[i];
       const double length = d.norm();
-      if (!(length > 1e-9)) continue;
+      if (!(length > 1e-9) || isCut(touch_, i)) continue;
       const Vec3 t = d / length;
-      const double force = model_.axial * (length - model_.segment);                  // [N]
-      Mat3 k = model_.axial * t * t.transpose();
+      const double axial = model_.axialOf[i], force = axial * (length - model_.rest[i]);   // [N/m], [N]
+      Mat3 k = axial * t * t.transpose();
       if (s.tension[i] > 0.0) k += (s.tension[i] / length) * (Mat3::Identity() - t * t.transpose());
       addBlock(3 * i, 3 * i, k);
       addBlock(3 * i, 3 * i + 3, -k);
@@ -138,10 +135,11 @@ class Assembly {
   /// Quadratic bending of an inextensible rod (Bergou et al. 2006): EI / (2 l^3) |x0 - 2 x1 + x2|^2, a constant matrix with a linear
   /// moment for a straight thread, where the cosine form of paper 003 has none.
   void bending() {
-    const double kb = model_.bending;
-    const double c[3] = {1.0, -2.0, 1.0};
     for (int i = 0; i + 2 < model_.nodes; ++i) {
-      const Vec3 curl = work_.iterate[i] - 2.0 * work_.iterate[i + 1] + work_.iterate[i + 2];
+      if (isCut(touch_, i) || isCut(touch_, i + 1)) continue;
+      const double kb = model_.bend[i].stiffness;   // [N/m]
+      const auto& c = model_.bend[i].weight;
+      const Vec3 curl = c[0] * work_.iterate[i] + c[1] * work_.iterate[i + 1] + c[2] * work_.iterate[i + 2];
       for (int a = 0; a < 3; ++a) {
         for (int b = a; b < 3; ++b)
           for (int r = 0; r < 3; ++r) work_.matrix.add(3 * (i + a) + r, 3 * (i + b) + r, kb * c[a] * c[b]);
@@ -162,9 +160,9 @@ class Assembly {
     addBlock(3 * last, p, -k);
     addBlock(3 * last, p + 3, k * skew(arm));
 
-    const Vec3 ahead = arm + model_.segment * (needle.pose.orientation * model_.arcTangent.front());
+    const Vec3 ahead = arm + model_.rest.back() * (needle.pose.orientation * model_.arcTangent.front());
     const Vec3 curl = work_.iterate[last - 1] - 2.0 * work_.iterate[last] + needle.centre + ahead;
-    const double kb = 2.0 * model_.bending, c[2] = {1.0, -2.0};   // the crimp is a clamp: half a segment of thread bends there
+    const double kb = 2.0 * model_.bend.back().stiffness, c[2] = {1.0, -2.0};   // the crimp is a clamp: half a segment of thread bends there
     for (int a = 0; a < 2; ++a) {
       const int i = 3 * (last - 1 + a);
       addBlock(i, i, kb * c[a] * c[a] * Mat3::Identity());
@@ -209,21 +207,22 @@ NeedleIterate beginNeedle(const StrandModel& m, const StrandState& s, double dt)
 }
 
 /// Tension consistent with the linear solve: the stretch along the direction the segment had in the last iterate.
-void writeTensions(const StrandModel& m, const StrandWork& w, StrandState& s) {
+void writeTensions(const StrandModel& m, const StrandWork& w, const ThreadTouch* touch, StrandState& s) {
   for (int i = 0; i + 1 < m.nodes; ++i) {
     const Vec3 d = w.iterate[i + 1] - w.iterate[i];
     const double length = d.norm();
     const Vec3 moved(w.rhs[3 * i + 3] - w.rhs[3 * i], w.rhs[3 * i + 4] - w.rhs[3 * i + 1], w.rhs[3 * i + 5] - w.rhs[3 * i + 2]);
     const double along = length > 1e-9 ? d.dot(moved) / length : 0.0;
-    s.tension[i] = m.axial * (length + along - m.segment);
+    s.tension[i] = isCut(touch, i) ? 0.0 : m.axialOf[i] * (length + along - m.rest[i]);
   }
 }
 
 /// How far a segment is from the length that its tension in the linear solve says: what turning segments leave over [m].
-double lengthError(const StrandModel& m, const StrandWork& w, const StrandState& s) {
+double lengthError(const StrandModel& m, const StrandWork& w, const ThreadTouch* touch, const StrandState& s) {
   double worst = 0.0;
   for (int i = 0; i + 1 < m.nodes; ++i) {
-    const double error = (w.iterate[i + 1] - w.iterate[i]).norm() - m.segment - s.tension[i] / m.axial;
+    if (isCut(touch, i)) continue;
+    const double error = (w.iterate[i + 1] - w.iterate[i]).norm() - m.rest[i] - s.tension[i] / m.axialOf[i];
     worst = std::max(worst, error < 0.0 ? -error : error);
   }
   return worst;
@@ -258,7 +257,7 @@ enum class Outcome { kSingular, kUnsettled, kSettled };
 /// Newton's iteration from the path of inertia, with more drag on the thread than its own if the contacts ask for it.
 Outcome iterate(Assembly& assembly, const Vec3& gravity, StrandState& s, NeedleIterate& needle, StrandWork& w, ThreadTouch* touch) {
   const StrandModel& m = assembly.model();
-  const double tolerance = std::min(kLengthTolerance, 1e-3 * m.segment);   // [m]
+  const double tolerance = std::min(kLengthTolerance, 1e-3 * m.finest);   // [m]
   w.iterate = w.inertial;
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     ++w.iterations;
@@ -271,10 +270,10 @@ Outcome iterate(Assembly& assembly, const Vec3& gravity, StrandState& s, NeedleI
     assembly.links(needle);
     if (touch) assembleThreadContacts(w.iterate, w.matrix, w.rhs, touch->work);
     if (!solveSystem(w, touch)) return Outcome::kSingular;
-    writeTensions(m, w, s);
+    writeTensions(m, w, touch, s);
     for (int i = 0; i < m.nodes; ++i) w.iterate[i] += Vec3(w.rhs[3 * i], w.rhs[3 * i + 1], w.rhs[3 * i + 2]);
     moveNeedle(m, &w.rhs[3 * m.nodes], needle);
-    if (lengthError(m, w, s) < tolerance && !(touch && stillMoving(m, w.rhs, touch->work))) return Outcome::kSettled;
+    if (lengthError(m, w, touch, s) < tolerance && !(touch && stillMoving(m, w.rhs, touch->work))) return Outcome::kSettled;
   }
   return Outcome::kUnsettled;
 }

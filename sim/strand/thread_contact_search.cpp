@@ -32,8 +32,12 @@ void boundPieces(const StrandModel& m, const StrandState& s, ThreadContactWork& 
   }
 }
 
-/// Pieces of one stretch of thread that are too near along it to touch: a thread cannot be bent tighter than its own width.
-int nearestNeighbour(const StrandModel& m) { return std::max(3, static_cast<int>(4.0 * m.radius / m.segment) + 1); }
+/// The first piece after `p` that may touch it: a thread cannot be bent tighter than its own width.
+int firstBeyond(const StrandModel& m, int p) {
+  int q = p + 3;
+  while (q < m.nodes - 2 && m.place[q + 1] - m.place[p + 1] <= 4.0 * m.radius) ++q;
+  return q;
+}
 
 double relativeSpeed(const StrandState& s, int p, int q) {
   return (curvePoint(s.velocity, curveWeights(p, 0.5)) - curvePoint(s.velocity, curveWeights(q, 0.5))).norm();
@@ -41,8 +45,8 @@ double relativeSpeed(const StrandState& s, int p, int q) {
 
 class Search {
  public:
-  Search(const StrandModel& m, const StrandState& s, double dt, ThreadContactWork& w)
-      : model_(m), state_(s), dt_(dt), work_(w), reach_(2.0 * (1.0 + kWide) * m.radius) {}
+  Search(const StrandModel& m, const StrandState& s, double dt, ThreadTouch& touch)
+      : model_(m), state_(s), dt_(dt), work_(touch.work), cut_(touch.state.cut), reach_(2.0 * (1.0 + kWide) * m.radius) {}
 
   bool run() {
     const int chunks = static_cast<int>(work_.chunkCentre.size());
@@ -56,10 +60,11 @@ class Search {
 
  private:
   bool chunkPair(int a, int b) {
-    const int pieces = model_.nodes - 2, apart = nearestNeighbour(model_);
+    const int pieces = model_.nodes - 2;
     const int endA = std::min(pieces, kChunk * (a + 1)), endB = std::min(pieces, kChunk * (b + 1));
     for (int p = kChunk * a; p < endA; ++p)
-      for (int q = std::max(kChunk * b, p + apart); q < endB; ++q) {
+      for (int q = std::max(kChunk * b, firstBeyond(model_, p)); q < endB; ++q) {
+        if (ends(p) || ends(q)) continue;
         const double sum = work_.pieceRadius[p] + work_.pieceRadius[q] + reach_ + 2.4 * dt_ * work_.fastest;   // [m]
         if ((work_.pieceCentre[p] - work_.pieceCentre[q]).squaredNorm() > sum * sum) continue;
         const double reach = reach_ + 1.2 * dt_ * relativeSpeed(state_, p, q);   // [m]
@@ -67,16 +72,19 @@ class Search {
       }
     return true;
   }
+  /// A piece that runs across a break.
+  bool ends(int piece) const { return cut_[piece] || cut_[piece + 1]; }
   bool samples(int own, int other, double reach) {   // [m]
     const double sum = work_.pieceRadius[own] + work_.pieceRadius[other] + reach;   // [m]
     if ((work_.pieceCentre[own] - work_.pieceCentre[other]).squaredNorm() > sum * sum) return true;
-    for (int k = 0; k < kSamples; ++k) {
-      const Vec3 point = curvePoint(state_.position, curveWeights(own, (k + 0.5) / kSamples));
+    const int count = work_.samples[own];
+    for (int k = 0; k < count; ++k) {
+      const Vec3 point = curvePoint(state_.position, curveWeights(own, (k + 0.5) / count));
       const double place = nearestOnPiece(state_.position, other, point);   // [1]
       if (place < 0.0) continue;
       const double squared = (point - curvePoint(state_.position, curveWeights(other, place))).squaredNorm();   // [m^2]
       if (squared > reach * reach) continue;
-      if (work_.near.size() == work_.near.capacity()) return false;
+      if (work_.near.size() >= kMostNear) return false;
       work_.near.push_back({own, k, other, place, std::sqrt(squared) - 2.0 * model_.radius});
     }
     return true;
@@ -86,15 +94,17 @@ class Search {
   const StrandState& state_;
   double dt_;                                  // [s]
   ThreadContactWork& work_;
+  const std::vector<std::uint8_t>& cut_;       // [1]
   double reach_;                               // [m] between centre lines at rest
 };
 
 }  // namespace
 
-bool searchNear(const StrandModel& m, const StrandState& s, double dt, ThreadContactWork& w) {
+bool searchNear(const StrandModel& m, const StrandState& s, double dt, ThreadTouch& touch) {
+  ThreadContactWork& w = touch.work;
   w.near.clear();
   boundPieces(m, s, w);
-  const bool complete = Search(m, s, dt, w).run();
+  const bool complete = Search(m, s, dt, touch).run();
   std::fill(w.allowance.begin(), w.allowance.end(), kWide * m.radius);
   for (const NearPair& pair : w.near) {
     const double half = std::max(0.5 * pair.gap, kNarrow * m.radius);   // [m]

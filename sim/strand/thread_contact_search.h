@@ -4,11 +4,12 @@
 
 namespace halsted {
 
+inline constexpr std::size_t kMostNear = 16384;   // pairs that the search may find
 inline constexpr double kNarrow = 0.5, kWide = 3.0;   // [1] of the radius: bounds of a piece's allowance
 
 /// Fills `near` with all pairs that matter, in a fixed order, and `allowance` with half of each piece's clearance, within its bounds.
 /// False when there were more than fit.
-bool searchNear(const StrandModel&, const StrandState&, double dt, ThreadContactWork&);   // [s]
+bool searchNear(const StrandModel&, const StrandState&, double dt, ThreadTouch&);   // [s]
 
 /// Whether a pair could touch when both pieces stray as far as they may.
 bool mayTouch(const StrandState&, const NearPair&, double dt, const ThreadContactWork&);   // [s]

@@ -8,7 +8,8 @@
 namespace halsted {
 namespace {
 
-constexpr int kMostNear = 16384;               // pairs that the search may find
+constexpr std::size_t kMostPoints = 4 * ThreadContactState::kMaxContacts;   // in a step
+constexpr double kLeave = 0.05;                // [m/s] at which what lies deeper in a tool than its force explains comes out of it
 constexpr double kBond = 0.7;                  // [1] stiffness of the friction bond over that of the squeeze (Mindlin, nu = 0.4)
 
 Vec3 relativePoint(const std::vector<Vec3>& x, const TouchingPoint& c) {
@@ -40,7 +41,7 @@ void indexRecords(const ThreadContactState& state, ThreadContactWork& w) {
 /// Completes a contact whose partner and normal are known, and keeps it if there is room.
 void keepPoint(TouchingPoint& c, ThreadTouch& touch) {
   ThreadContactWork& w = touch.work;
-  if (w.points.size() == w.points.capacity() || (!c.solid && !w.coupled.couple(c.sample.node, c.partner.node))) {
+  if (w.points.size() >= kMostPoints || (!c.solid && !w.coupled.couple(c.sample.node, c.partner.node))) {
     ++touch.state.dropped;
     return;
   }
@@ -54,25 +55,26 @@ void keepPoint(TouchingPoint& c, ThreadTouch& touch) {
 
 void keepPair(const StrandModel& m, const StrandState& s, const NearPair& near, ThreadTouch& touch) {
   TouchingPoint c;
-  c.sample = curveWeights(near.piece, (near.sample + 0.5) / kSamples);
+  c.sample = curveWeights(near.piece, (near.sample + 0.5) / touch.work.samples[near.piece]);
   c.partner = curveWeights(near.partner, near.place);
   c.start = relativePoint(s.position, c);
   const double distance = c.start.norm();
   if (!(distance > 1e-9)) return;
   c.normal = c.start / distance;
   c.reach = 2.0 * m.radius;
-  c.stiffness = 0.5 * touch.work.params.stiffness * m.segment / kSamples;   // half: the partner's samples carry the other half
+  c.stiffness = 0.5 * touch.work.params.stiffness * touch.work.pieceLength[near.piece] / touch.work.samples[near.piece];   // the partner's samples carry the other half
   c.coefficient = touch.work.params.friction;
-  c.record = {near.piece * kSamples + near.sample, near.partner, near.place, 0.0, Vec3::Zero()};
+  c.record = {near.piece * kMostSamples + near.sample, near.partner, near.place, 0.0, Vec3::Zero()};
   keepPoint(c, touch);
 }
 
 void keepSolid(const StrandModel& m, const StrandState& s, std::array<int, 2> where, ThreadTouch& touch, double dt) {
   const auto [sample, solid] = where;
+  const int piece = sample / kMostSamples, samples = touch.work.samples[piece];
   const ThreadSolid& body = touch.work.solids[solid];
   TouchingPoint c;
   c.solid = true;
-  c.sample = curveWeights(sample / kSamples, (sample % kSamples + 0.5) / kSamples);
+  c.sample = curveWeights(piece, (sample % kMostSamples + 0.5) / samples);
   const Vec3 own = curvePoint(s.position, c.sample);
   const double f = closestOnSegment(own, body.fromA, body.fromB);   // [1]
   const Vec3 before = body.fromA + f * (body.fromB - body.fromA);   // [m]
@@ -83,9 +85,13 @@ void keepSolid(const StrandModel& m, const StrandState& s, std::array<int, 2> wh
   c.reach = body.radius + m.radius;
   if (!(distance > 1e-9) || distance > c.reach + 0.5 * m.radius + 1.2 * relative.norm()) return;
   c.normal = c.start / distance;
-  c.stiffness = touch.work.params.stiffness * m.segment / kSamples;
+  c.stiffness = touch.work.params.stiffness * touch.work.pieceLength[piece] / samples;
   c.coefficient = body.friction;
   c.record = {sample, -1 - solid, f, 0.0, Vec3::Zero()};
+  // A tool may have been where the thread came free of the jaws: that depth is worked off, not sprung back.
+  const ThreadContact* old = recordFor(touch.state, touch.work, c.record);
+  const double explained = (old ? old->normalForce : 0.0) / c.stiffness;   // [m]
+  c.reach = std::min(c.reach, distance + explained + kLeave * dt + std::max(0.0, -relative.dot(c.normal)));
   keepPoint(c, touch);
 }
 
@@ -95,11 +101,13 @@ void findSolids(const StrandModel& m, const StrandState& s, double dt, ThreadTou
     const ThreadSolid& body = touch.work.solids[solid];
     const double swept = std::max((body.a - body.fromA).norm(), (body.b - body.fromB).norm());   // [m]
     for (int p = 0; p < m.nodes - 2; ++p) {
+      if (m.place[p + 1] > body.freeFrom && m.place[p + 1] < body.freeTo) continue;
+      if (touch.state.cut[p] || touch.state.cut[p + 1]) continue;
       const Vec3& centre = touch.work.pieceCentre[p];
       const double f = closestOnSegment(centre, body.fromA, body.fromB);   // [1]
       const double reach = body.radius + 2.0 * m.radius + touch.work.pieceRadius[p] + 1.5 * (dt * touch.work.fastest + swept);   // [m]
       if ((centre - body.fromA - f * (body.fromB - body.fromA)).squaredNorm() > reach * reach) continue;
-      for (int k = 0; k < kSamples; ++k) keepSolid(m, s, {p * kSamples + k, solid}, touch, dt);
+      for (int k = 0; k < touch.work.samples[p]; ++k) keepSolid(m, s, {p * kMostSamples + k, solid}, touch, dt);
     }
   }
 }
@@ -154,6 +162,7 @@ void addCross(const TouchingPoint& c, const Mat3& stiffness, CoupledSolve& coupl
 ThreadContactState restContacts(const StrandModel& m) {
   ThreadContactState s;
   s.drag.assign(m.nodes, 0.0);
+  s.cut.assign(m.nodes - 1, 0);
   return s;
 }
 
@@ -162,12 +171,16 @@ ThreadContactWork prepareContactWork(const StrandModel& m, const ThreadContactPa
   w.params = params;
   const int pieces = m.nodes - 2, chunks = (pieces + kPiecesPerChunk - 1) / kPiecesPerChunk;
   w.coupled.resize(m.nodes);
-  w.points.reserve(4 * ThreadContactState::kMaxContacts);
+  w.points.reserve(kMostPoints);
   w.pieceCentre.assign(pieces, Vec3::Zero());
   w.pieceRadius.assign(pieces, 0.0);
   w.chunkCentre.assign(chunks, Vec3::Zero());
   w.chunkRadius.assign(chunks, 0.0);
-  w.recordOfSample.assign(pieces * kSamples, -1);
+  for (int p = 0; p < pieces; ++p) {
+    w.pieceLength.push_back(0.5 * (m.rest[p] + m.rest[p + 1]));
+    w.samples.push_back(std::clamp(static_cast<int>(w.pieceLength[p] / m.radius) + 1, kFewestSamples, kMostSamples));
+  }
+  w.recordOfSample.assign(pieces * kMostSamples, -1);
   w.nextRecord.assign(ThreadContactState::kMaxContacts, -1);
   w.tension.assign(m.nodes - 1, 0.0);
   w.allowance.assign(pieces, 0.0);
@@ -181,7 +194,7 @@ void findThreadContacts(const StrandModel& m, const StrandState& s, double dt, T
   w.coupledStep = false;
   w.coupled.clearStructure();
   indexRecords(touch.state, w);
-  if (!searchNear(m, s, dt, w)) ++touch.state.dropped;
+  if (!searchNear(m, s, dt, touch)) ++touch.state.dropped;
   for (const NearPair& near : w.near)
     if (mayTouch(s, near, dt, w)) keepPair(m, s, near, touch);
   findSolids(m, s, dt, touch);
@@ -217,6 +230,13 @@ void settleThreadContacts(const StrandState& s, ThreadTouch& touch) {
   }
   for (int i = kept; i < state.count; ++i) state.contacts[i] = ThreadContact{};
   state.count = kept;
+}
+
+Vec3 forceOnSolid(const ThreadContactWork& w, int solid) {
+  Vec3 sum = Vec3::Zero();                     // [N]
+  for (const TouchingPoint& c : w.points)
+    if (c.record.partner == -1 - solid) sum -= c.normalForce * c.normal + c.friction;
+  return sum;
 }
 
 int brokenSegment(const StrandState& s, double breakingTension) {

@@ -30,11 +30,12 @@ struct ThreadSolid {
   Vec3 a = Vec3::Zero(), b = Vec3::Zero();     // [m] now
   Vec3 fromA = Vec3::Zero(), fromB = Vec3::Zero();   // [m] at the start of the step
   double radius = 0.0, friction = 0.2;         // [m], [1]
+  double freeFrom = 0.0, freeTo = -1.0;        // [m] coordinates of the thread that pass through it: what jaws hold between them
 };
 
 /// Kept from step to step.
 struct ThreadContact {
-  std::int32_t sample = -1;                    // kSamples per piece
+  std::int32_t sample = -1;                    // kMostSamples per piece
   std::int32_t partner = -1;                   // piece of the curve, or -1 - solid
   double place = 0.0;                          // [1] on the partner piece
   double normalForce = 0.0;                    // [N]
@@ -47,6 +48,7 @@ struct ThreadContactState {
   std::int32_t count = 0;
   std::int32_t dropped = 0;                    // contacts that found no room, ever
   std::vector<double> drag;                    // [1/s] per node, added to the thread's damping while it snaps (strand_trust.h)
+  std::vector<std::uint8_t> cut;               // [1] per segment: 1 where the thread has broken or was cut through
 };
 
 /// One contact during a solve. Partner weights are zero on a solid.
@@ -71,7 +73,8 @@ struct ThreadContactWork {
   CoupledSolve coupled;
   std::vector<TouchingPoint> points;
   std::vector<Vec3> chunkCentre, pieceCentre;  // [m]
-  std::vector<double> chunkRadius, pieceRadius;   // [m]
+  std::vector<double> chunkRadius, pieceRadius, pieceLength;   // [m]; at rest
+  std::vector<std::int32_t> samples;           // of each piece: no farther apart than the thread is thick
   std::vector<std::int32_t> recordOfSample, nextRecord;
   std::vector<double> tension;                 // [N] at the start of the step
   std::vector<double> allowance;               // [m] per piece: how far it may stray in this step (strand_trust.h)
@@ -86,7 +89,7 @@ struct ThreadTouch {
   ThreadContactWork& work;
 };
 
-inline constexpr int kSamples = 4;             // per piece
+inline constexpr int kFewestSamples = 4, kMostSamples = 24;   // per piece, by its length
 inline constexpr int kPiecesPerChunk = 8;      // in the search
 
 ThreadContactState restContacts(const StrandModel&);
@@ -100,6 +103,9 @@ void assembleThreadContacts(const std::vector<Vec3>& iterate, BandedMatrix&, std
 
 /// After the solve: what is kept for the next step.
 void settleThreadContacts(const StrandState&, ThreadTouch&);
+
+/// Force of the thread on a solid, as the last solve left it.  [N]
+Vec3 forceOnSolid(const ThreadContactWork&, int solid);
 
 /// First segment whose tension has reached the breaking strength, or -1.
 int brokenSegment(const StrandState&, double breakingTension);   // [N]

@@ -4,6 +4,7 @@
 
 #include "sim/lanes.h"
 #include "sim/suture/cut.h"
+#include "sim/suture/knotting.h"
 
 namespace halsted {
 namespace {
@@ -178,7 +179,7 @@ void removeLeftHoles(const Model& m, State& state, StepOutput& out) {
       dropBite(m, state, h.bite);
       return;
     }
-    if (h.coordinate <= 0.0) {
+    if (h.coordinate <= 0.0 || partedAt(m, state, h.coordinate)) {
       pushEvent(out, {state.step, EventKind::kChannelEmptied, -1, h.bite, 0.0});
       dropHole(m, state, i);
       return;

@@ -10,6 +10,7 @@ namespace halsted {
 namespace {
 
 constexpr double kTissueShare = 3.0;           // [1] over-estimates the compliance for neighbours that press on the same tissue
+constexpr double kNodeSpacing = 2e-3;          // [m] of the thread's nodes for which that holds
 constexpr double kSolidStiffness = 800.0;      // [N/m] strand against steel, per step and incremental: the fixed point is rigid
 constexpr double kMostForce = 2.0;             // [N] on one sample: a thread pinched harder sinks into the tissue instead
 constexpr double kReach = 8e-3;                // [m] samples farther than this from every vertex are not examined
@@ -31,7 +32,7 @@ Sample sampleAt(const Model& m, const StrandState& s, int index) {
   Sample x;
   x.index = index;
   const bool thread = index < m.strand.nodes;
-  x.coordinate = thread ? index * m.strand.segment : m.strand.sampleCoordinate[index - m.strand.nodes];
+  x.coordinate = thread ? m.strand.place[index] : m.strand.sampleCoordinate[index - m.strand.nodes];
   x.radius = thread ? m.strand.radius : m.strand.needle.wireRadius;
   x.isTip = index + 1 == sampleCount(m.strand);
   if (x.isTip) x.radius = 0.0;
@@ -111,7 +112,7 @@ void offerTouch(const Model& m, const Sample& x, Touch& touch, State& state, int
 void touchTissue(const Model& m, const Sample& x, State& state, int& fresh) {
   StrandState& s = state.strand;
   const auto& tissue = state.tissue.position;
-  if (insideWall(s, x.coordinate, 1.2 * m.strand.segment)) return;   // the samples next to a hole are led by it
+  if (insideWall(s, x.coordinate, 1.2 * segmentAt(m.strand, x.coordinate))) return;   // the samples next to a hole are led by it
   SurfacePoint near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
   const bool pressedIn = near.triangle >= 0 && near.distance < 0.0 && near.distance > -kSkinDepth;
   if (!pressedIn && static_cast<int>(state.step % kRepairInterval) == x.index % kRepairInterval) {
@@ -123,7 +124,9 @@ void touchTissue(const Model& m, const Sample& x, State& state, int& fresh) {
   t.point = near.point;
   t.normal = near.normal;
   t.moved = near.point - pointOn(m.surface, state.work.tissue.previous, near.triangle, near.weight);
-  t.stiffness = 1.0 / (kTissueShare * triangleCompliance(m, near.triangle, near.weight) + 1e-5);
+  // Where the thread's nodes lie closer, more of them press on the same tissue.
+  const double crowd = x.index < m.strand.nodes ? std::fmax(1.0, kNodeSpacing / segmentAt(m.strand, x.coordinate)) : 1.0;   // [1]
+  t.stiffness = 1.0 / (crowd * kTissueShare * triangleCompliance(m, near.triangle, near.weight) + 1e-5);
   const int triangles = static_cast<int>(m.surface.triangles.size());
   const StrandContact* old = previousContact(s, x.index, near.triangle, true, triangles);
   t.record = {x.index, near.triangle, old ? old->normalForce : 0.0, old ? old->force : Vec3(Vec3::Zero()), near.weight};
@@ -176,6 +179,7 @@ void linkContacts(const Model& m, const SolidMotion& motion, State& state) {
   for (int i = 0; i < sampleCount(m.strand); ++i) {
     const Sample x = sampleAt(m, state.strand, i);
     touchTissue(m, x, state, fresh);
+    if (m.params.thread.knots && i < m.strand.nodes) continue;   // thread meets tools within its own solve (knotting.h)
     for (int solid = 0; solid < kSolids; ++solid) {
       const int hand = solidHand(solid);
       if (hand >= 0 && heldBy(m, state.strand, state.tools[hand], x, jawReach)) continue;

@@ -4,6 +4,7 @@
 
 #include "sim/contact/geometry.h"
 #include "sim/suture/holes.h"
+#include "sim/suture/knotting.h"
 #include "sim/tools/touch.h"
 
 namespace halsted {
@@ -48,7 +49,8 @@ bool graspThread(const Model& m, int hand, State& s) {
   double best = m.params.tools[hand].captureRadius;      // [m]
   for (int i = 0; i + 1 < m.strand.nodes; ++i) {
     for (int half = 0; half < 2; ++half) {
-      const double coordinate = (i + 0.5 * half) * m.strand.segment;
+      const double coordinate = coordinateAt(m.strand, i, 0.5 * half);
+      if (partedAt(m, s, coordinate)) continue;
       const double d = fromJaws(t, strandPoint(m.strand, s.strand, coordinate));
       if (d < best) { best = d; t.threadCoordinate = coordinate; }
     }
@@ -172,11 +174,12 @@ namespace {
 void slipThread(const Model& m, int hand, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];
   const double pull = t.threadForce.norm();    // [N]
-  if (pull <= kThreadGrip) return;
+  const bool parted = partedAt(m, s, t.threadCoordinate);
+  if (pull <= kThreadGrip && !parted) return;
   const double along = -t.threadForce.dot(strandTangent(m.strand, s.strand, t.threadCoordinate));   // [N] of the jaws on the thread
   const double slip = std::fmin(kMostSlip, (pull - kThreadGrip) / seriesStiffness(m, hand));        // [m]
   t.threadCoordinate += along > 0.0 ? slip : -slip;
-  if (t.threadCoordinate > 0.0 && t.threadCoordinate < m.strand.length) return;
+  if (!parted && t.threadCoordinate > 0.0 && t.threadCoordinate < m.strand.length) return;
   pushEvent(out, {s.step, EventKind::kThreadReleased, hand, -1, pull});
   t.threadCoordinate = -1.0;
   t.threadForce.setZero();

@@ -81,7 +81,7 @@ double energy(const KnotRig& rig) {            // [J]
   for (int i = 0; i < rig.model.nodes; ++i) sum += 0.5 * rig.model.mass[i] * rig.state.velocity[i].squaredNorm();
   for (double tension : rig.state.tension) sum += 0.5 * tension * tension / rig.model.axial;
   for (int i = 0; i + 2 < rig.model.nodes; ++i) sum += 0.5 * rig.model.bending * (x[i] - 2.0 * x[i + 1] + x[i + 2]).squaredNorm();
-  const double squeeze = 0.5 * rig.contactWork.params.stiffness * rig.model.segment / kSamples;   // [N/m]
+  const double squeeze = 0.5 * rig.contactWork.params.stiffness * rig.model.segment / rig.contactWork.samples[0];   // [N/m]
   for (int i = 0; i < rig.contacts.count; ++i) {
     const ThreadContact& c = rig.contacts.contacts[i];
     sum += 0.5 * c.normalForce * c.normalForce / squeeze + 0.5 * c.friction.squaredNorm() / (0.7 * squeeze);

@@ -25,6 +25,11 @@ struct ThreadedWall : StepRig {
       const double u = (-ad + std::sqrt(ad * ad - dd * c)) / dd;               // [1]
       at = path[leg] + u * d;
     }
+    openHoles();
+  }
+  /// Opens a hole wherever the thread, as it lies, crosses the wall's faces.
+  void openHoles() {
+    StrandState& s = state.strand;
     for (int i = 0; i + 1 < model.strand.nodes; ++i) openHoles(i);
     for (int h = 0; h < s.holeCount; ++h) {
       s.holes[h].bite = h / 2;
@@ -56,8 +61,9 @@ struct ThreadedWall : StepRig {
     for (const auto& [share, face] : crossings) {
       Vec3 p = a + share * (b - a);
       p.x() = face;
+      if (!(p.z() > 0.0 && p.z() < kWallZ)) continue;          // it passes above the wall
       Hole& h = state.strand.holes[state.strand.holeCount++];
-      h.coordinate = (node + share) * model.strand.segment;
+      h.coordinate = coordinateAt(model.strand, node, share);
       place(p, h);
     }
   }

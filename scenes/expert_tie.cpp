@@ -1,0 +1,230 @@
+/// The instrument tie. The driver lies over the stitch, along the wound. The left hand holds the long end and winds it round the driver's
+/// closed jaws, on the side of their tips: there it passes between driver and tissue, through the loop that the thread itself makes with
+/// the tissue. (Wound about a driver that stands upright, thread only twists like a rubber band, and comes undone.) The driver opens,
+/// takes the short tail, closes and draws it back through the loop; both ends are drawn apart, the long end toward the tail's side. The
+/// next throw is wound from there, the other way round for a square knot, so that the hands change sides with every throw.
+#include <cmath>
+
+#include "scenes/tie_places.h"
+#include "sim/strand/strand.h"
+#include "sim/suture/holes.h"
+
+namespace halsted::scenes {
+namespace {
+
+constexpr double kBack = 30e-3;                // [m] along its shaft: where the driver waits
+constexpr double kWindSpeed = 3.0;             // [rad/s]
+constexpr double kMove = 0.08, kCareful = 0.03;   // [m/s]
+constexpr double kSnug = 0.03, kGive = 0.06;   // [N] more would draw the tail into the tissue: the winding hand gives way; [m/s]
+constexpr double kWider = 6e-3;                // [m] of thread that the opening jaws take up
+constexpr double kTaut = 0.5;                  // [N] at which a tail on its way up is drawn no farther
+constexpr double kTailShare = 0.85;            // [1] of its length: how far from the tissue the tail is drawn up through the loop
+constexpr double kAside = 10e-3, kLow = 6e-3;  // [m] from the stitch as the ends begin to be drawn; above it
+constexpr double kOff = 0.1;                   // [N] with which the loop is drawn off the tips
+constexpr double kOver = 18e-3, kBeyond = 12e-3;   // [m] of the other hand above the stitch and past the tips meanwhile
+constexpr double kDraw = 0.03;                 // [m/s]
+constexpr double kHoldTail = 0.15;             // [1] of that for the tail: it is to stay short
+constexpr double kReach = 0.09;                // [m] as far as an arm draws
+constexpr double kFeel = 0.5, kFeelTime = 0.05;   // [N], [s]
+constexpr double kHoldTight = 0.3;             // [s]
+constexpr int kAttempts = 4;
+
+enum Phase {
+  kLook, kFreeDriver, kFreeLong, kTakeLong, kTakeLongDown, kTakeLongClose, kLiftLong, kStand, kWind, kFollow, kOpen, kToTail, kClose,
+  kThrough, kCross, kDrawTight, kLetTail
+};
+
+void goTo(const Scene& s, int phase) {
+  s.memory.phase = phase;
+  s.memory.phaseStart = s.state.step;
+}
+
+const StrandState& strand(const Scene& s) { return s.state.strand; }
+
+bool begin(const Scene& s, std::string& failure) {
+  KnotPlan& k = s.memory.knot;
+  if (strand(s).holeCount < 2) { failure = "there is no stitch in the tissue"; return false; }
+  k = KnotPlan{};
+  k.throws = parseThrows(s.action.tie);
+  k.side = strandSide(s);
+  k.handle = k.side.cross(Vec3::UnitZ());
+  const bool free = s.state.tools[kRight].closed;
+  for (int h = 0; h < kHands; ++h) s.memory.goal[h] = above(s.memory.hand[h].command, 0.02);
+  goTo(s, free ? kFreeDriver : kFreeLong);
+  return true;
+}
+
+/// The driver and the other hand come free; the other takes the long end and lifts it.
+void takeLongEnd(const Scene& s, std::string& failure) {
+  ExpertState& e = s.memory;
+  if (e.phase == kFreeDriver) {
+    HandMotion& driver = e.hand[kRight];
+    driver.jaw = s.inPhase < 0.2 ? 0.0 : 1.0;  // a squeeze unlocks a loaded driver
+    if (s.inPhase > 0.5 && moveHand(s, kRight, e.goal[kRight], kMove)) goTo(s, kFreeLong);
+  } else if (e.phase == kFreeLong) {
+    if (holdsLong(s)) { goTo(s, kLiftLong); return; }
+    e.hand[kLeft].jaw = 1.0;
+    if (s.inPhase > 0.4 && moveHand(s, kLeft, e.goal[kLeft], kMove)) goTo(s, kTakeLong);
+  } else if (pickUp(s, kLeft, threadGrip(s, kLeft, longPlace(s)), kTakeLong)) {
+    if (holdsLong(s)) { goTo(s, kLiftLong); return; }
+    if (++e.knot.misses > kAttempts) { failure = "the long end was not taken"; return; }
+    e.goal[kLeft] = above(e.hand[kLeft].command, 0.02);
+    goTo(s, kFreeLong);
+  }
+}
+
+/// A winding hand that feels its thread gives way.
+void giveWay(const Scene& s) {
+  if (s.state.tools[kLeft].threadForce.norm() > kSnug) s.memory.knot.given += kGive * s.dt;
+}
+
+/// The winding hand stands on its side, then the driver comes over the stitch with closed jaws, then the thread goes round.
+void wind(const Scene& s) {
+  ExpertState& e = s.memory;
+  KnotPlan& k = e.knot;
+  if (e.phase == kLiftLong) {
+    k.swept = k.given = 0.0;
+    e.hand[kRight].jaw = 0.0;
+    const bool up = moveHand(s, kLeft, windingPose(s, driverPlace(s), 0.0), kMove);
+    const bool ready = moveHand(s, kRight, driverPose(s, kBack), kMove);
+    if (up && ready) goTo(s, kStand);
+  } else if (e.phase == kStand) {
+    if (moveHand(s, kRight, driverPose(s, 0.0), kMove) && s.inPhase > 0.2) goTo(s, kWind);
+  } else if (e.phase == kWind) {
+    giveWay(s);
+    k.swept = std::fmin(wholeTurns(s), k.swept + kWindSpeed * s.dt);
+    const Pose hand = windingPose(s, e.hand[kRight].command.position, k.swept);
+    if (moveHand(s, kLeft, hand, 0.25) && k.swept >= wholeTurns(s)) goTo(s, kFollow);
+  }
+}
+
+/// The winding hand stays beside the driver and keeps the loop on its jaws.
+void follow(const Scene& s) {
+  giveWay(s);
+  moveHand(s, kLeft, windingPose(s, s.memory.hand[kRight].command.position, wholeTurns(s)), 0.15);
+}
+
+/// The driver, loop round its jaws, goes to the tail, opens, takes it.
+void fetchTail(const Scene& s, std::string& failure) {
+  ExpertState& e = s.memory;
+  const Pose grip = tailGrip(s);
+  if (e.phase == kFollow) {
+    const bool there = moveHand(s, kRight, above(grip, 8e-3), kCareful);
+    follow(s);
+    if (there || s.inPhase > 3.0) goTo(s, kOpen);
+  } else if (e.phase == kOpen) {
+    e.hand[kRight].jaw = std::fmin(1.0, s.inPhase / 0.4);
+    if (s.inPhase < 0.4) e.knot.given += kWider / 0.4 * s.dt;
+    follow(s);
+    if (s.inPhase > 0.5) goTo(s, kToTail);
+  } else if (e.phase == kToTail) {
+    const bool there = moveHand(s, kRight, {grip.position - 1e-3 * driverShaft(s), grip.orientation}, kCareful);
+    follow(s);
+    if (there || s.inPhase > 2.0) goTo(s, kClose);
+  } else {
+    e.hand[kRight].jaw = std::fmax(0.0, 1.0 - s.inPhase / 0.2);
+    follow(s);
+    if (s.inPhase < 0.3) return;
+    e.knot.drawn = e.knot.felt = {};
+    if (holdsTail(s)) { goTo(s, kThrough); return; }
+    if (++e.knot.misses > kAttempts) failure = "the tail was not taken";
+    goTo(s, kFollow);
+  }
+}
+
+/// The other hand draws the loop off the driver's tips, on to the tail: until it feels that there is nothing more to come.
+void drawOffTips(const Scene& s) {
+  KnotPlan& k = s.memory.knot;
+  k.felt[kLeft] += s.dt / kFeelTime * (s.state.tools[kLeft].threadForce.norm() - k.felt[kLeft]);
+  k.drawn[kLeft] += kCareful * s.dt;
+  const Vec3 from = stitch(s) + kOver * Vec3::UnitZ() - kBeyond * k.handle;
+  moveHand(s, kLeft, keepTurn(s, kLeft, from - k.drawn[kLeft] * k.handle), 2.0 * kCareful);
+  if (k.felt[kLeft] > kOff || k.drawn[kLeft] > kReach) goTo(s, kCross);
+}
+
+/// The tail comes through the loop, then the hands go to their sides.
+void drawThrough(const Scene& s) {
+  ExpertState& e = s.memory;
+  const KnotPlan& k = e.knot;
+  const Vec3 p = stitch(s);
+  if (e.phase == kThrough) {
+    const Vec3 from = holePoint(s.model, tailHole(s), s.state.tissue.position);
+    const ToolState& driver = s.state.tools[kRight];
+    const double reach = kTailShare * (tailHole(s).coordinate - driver.threadCoordinate - kPerThrow * k.current);   // [m]
+    const Vec3 back = from + reach * (k.handle + Vec3::UnitZ()).normalized();
+    const bool drawn = driver.threadForce.norm() > kTaut || moveHand(s, kRight, keepTurn(s, kRight, back), kCareful);
+    if (!drawn) { moveHand(s, kLeft, keepTurn(s, kLeft, p + kOver * Vec3::UnitZ() - kBeyond * k.handle), kCareful); return; }
+    drawOffTips(s);
+  } else {
+    const bool right = moveHand(s, kRight, keepTurn(s, kRight, p + kAside * k.side + kLow * Vec3::UnitZ()), kCareful);
+    const bool left = moveHand(s, kLeft, keepTurn(s, kLeft, p - 2.0 * kAside * k.side + kLow * Vec3::UnitZ()), kMove);
+    if (!right || !left) return;
+    for (int h = 0; h < kHands; ++h) e.goal[h] = e.hand[h].command;
+    e.knot.drawn = e.knot.felt = {};
+    e.knot.settled = 0.0;
+    goTo(s, kDrawTight);
+  }
+}
+
+/// Each hand draws its end until it feels the tension; true once both have held it for a moment.
+bool drawTight(const Scene& s) {
+  ExpertState& e = s.memory;
+  KnotPlan& k = e.knot;
+  bool tight = true;
+  for (int h = 0; h < kHands; ++h) {
+    k.felt[h] += s.dt / kFeelTime * (s.state.tools[h].threadForce.norm() - k.felt[h]);
+    const double lack = (s.action.tension - k.felt[h]) / kFeel;   // [1]
+    const double pace = std::fmax(-1.0, std::fmin(h == kRight ? kHoldTail : 1.0, lack));   // [1]
+    k.drawn[h] = std::fmin(kReach, std::fmax(0.0, k.drawn[h] + pace * kDraw * s.dt));
+    tight = tight && (lack < 0.2 || k.drawn[h] >= kReach);
+    const Vec3 way = (h == kLeft ? -1.0 : 1.0) * k.side;
+    moveHand(s, h, {e.goal[h].position + k.drawn[h] * way, e.goal[h].orientation}, 0.1);
+  }
+  k.settled = tight ? k.settled + s.dt : 0.0;
+  return k.settled > kHoldTight;
+}
+
+/// The driver lets the tail go and rises; the long end is now on the other side of the stitch.
+void nextThrow(const Scene& s) {
+  ExpertState& e = s.memory;
+  if (s.inPhase < 1.5 * s.dt) e.goal[kRight] = above(e.hand[kRight].command, 0.02);
+  e.hand[kRight].jaw = 1.0;
+  if (s.inPhase < 0.3 || !moveHand(s, kRight, e.goal[kRight], kMove)) return;
+  ++e.knot.current;
+  e.knot.side = -e.knot.side;
+  goTo(s, kLiftLong);
+}
+
+}  // namespace
+
+bool runTie(const Scene& s, std::string& failure) {
+  ExpertState& e = s.memory;
+  if (e.phase != kLook && strand(s).holeCount < 2) { failure = "the thread has left the tissue"; return false; }
+  if (e.phase == kLook) begin(s, failure);
+  else if (e.phase <= kTakeLongClose) takeLongEnd(s, failure);
+  else if (e.phase <= kWind) wind(s);
+  else if (e.phase <= kClose) fetchTail(s, failure);
+  else if (e.phase <= kCross) drawThrough(s);
+  else if (e.phase == kLetTail) nextThrow(s);
+  else if (drawTight(s)) {
+    if (e.knot.current + 1 == e.knot.throws.size()) return true;
+    goTo(s, kLetTail);
+  }
+  return false;
+}
+
+bool runLetGo(const Scene& s) {
+  ExpertState& e = s.memory;
+  if (e.phase == 0) {
+    for (int h = 0; h < kHands; ++h) e.goal[h] = above(e.hand[h].command, 0.02);
+    nextPhase(s);
+  }
+  bool up = s.inPhase > 0.3;
+  for (int h = 0; h < kHands; ++h) {
+    e.hand[h].jaw = 1.0;
+    if (s.inPhase > 0.3) up = moveHand(s, h, e.goal[h], kMove) && up;
+  }
+  return up;
+}
+
+}  // namespace halsted::scenes

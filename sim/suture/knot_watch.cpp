@@ -1,0 +1,82 @@
+#include "sim/suture/knot_watch.h"
+
+#include <algorithm>
+
+#include "sim/suture/holes.h"
+#include "sim/strand/tool_winding.h"
+
+namespace halsted {
+namespace {
+
+constexpr double kInterval = 0.1;              // [s] between looks
+constexpr double kRoundTool = 3.0;             // [1] of the jaws' radius: thread this near to a tool's axis may go round it
+
+bool due(const Model& m, const State& s) {
+  const auto steps = static_cast<std::uint64_t>(kInterval / m.params.dt + 0.5);
+  return s.step % std::max<std::uint64_t>(1, steps) == 0;
+}
+
+bool meetsItself(const ThreadContactState& t) {
+  for (int i = 0; i < t.count; ++i)
+    if (t.contacts[i].partner >= 0) return true;
+  return false;
+}
+
+double lengthOf(const StrandModel& m, const NodeRange& r) { return m.place[r.last] - m.place[r.first]; }   // [m]
+
+/// Thread between the knot and the first and last hole.  [m]
+double gapToTissue(const StrandModel& m, const StrandState& s, const KnotReading& r) {
+  if (s.holeCount == 0) return 0.0;
+  const double tail = s.holes[0].coordinate - m.place[r.tailSide.last];                       // [m]
+  const double tip = m.place[r.tipSide.first] - s.holes[s.holeCount - 1].coordinate;          // [m]
+  return std::max(0.0, 0.5 * (tail + tip));
+}
+
+void writeReading(const Model& m, const StrandState& s, const KnotReading& r, KnotState& k) {
+  k.complete = r.complete;
+  k.crossingsLeft = r.crossingsLeft;
+  k.throws = static_cast<std::int32_t>(r.throws.size());
+  k.turns = {};
+  k.sense = {};
+  for (int i = 0; i < k.throws; ++i) {
+    k.turns[i] = r.throws[i].turns;
+    k.sense[i] = r.throws[i].sign;
+  }
+  k.gap = k.size = 0.0;
+  if (k.throws == 0) return;
+  k.gap = gapToTissue(m.strand, s, r);
+  k.size = 0.5 * (lengthOf(m.strand, r.tailSide) + lengthOf(m.strand, r.tipSide));
+}
+
+/// Turns of the stretch of thread that lies about a tool's jaws or shaft.
+std::int32_t turnsOf(const Model& m, const State& s, int hand) {
+  const ToolParams& p = m.params.tools[hand];
+  const Pose& tool = s.tools[hand].proxy;
+  const double reach = kRoundTool * p.jawRadius;   // [m]
+  int first = -1, last = -1;
+  for (int i = 0; i < m.strand.nodes; ++i) {
+    const Vec3 local = tool.inverseApply(s.strand.position[i]);
+    if (local.z() < 0.0 || local.z() > 2.0 * p.jawLength || local.x() * local.x() + local.y() * local.y() > reach * reach) continue;
+    first = first < 0 ? i : first;
+    last = i;
+  }
+  if (first < 0) return 0;
+  const std::span<const Vec3> about(s.strand.position.data() + first, static_cast<std::size_t>(last - first + 1));
+  return turnsAbout(about, {tool.position, tool.orientation * Vec3::UnitZ()});
+}
+
+}  // namespace
+
+void watchKnots(const Model& m, State& s, StepOutput& out) {
+  KnotState& k = s.knot;
+  if (!k.watched || !due(m, s)) return;
+  const int before = k.throws;
+  writeReading(m, s.strand, meetsItself(s.threadContacts) ? s.work.knotReader.read(s.strand.position) : KnotReading{{}, true, 0, {}, {}}, k);
+  for (int hand = 0; hand < kHands; ++hand) k.toolTurns[hand] = turnsOf(m, s, hand);
+  k.breaks = 0;
+  for (std::uint8_t cut : s.threadContacts.cut) k.breaks += cut;
+  if (k.throws > before) pushEvent(out, {s.step, EventKind::kThrowTied, -1, k.throws, static_cast<double>(k.sense[k.throws - 1] * k.turns[k.throws - 1])});
+  if (k.throws < before) pushEvent(out, {s.step, EventKind::kThrowLost, -1, k.throws, 0.0});
+}
+
+}  // namespace halsted

@@ -1,0 +1,123 @@
+#include "sim/suture/knotting.h"
+
+#include "sim/suture/holes.h"
+#include "sim/tools/tool_shape.h"
+
+namespace halsted {
+namespace {
+
+constexpr double kJawReach = 4e-3;             // [m] of thread on either side of the grip that the jaws do not push away
+
+/// What a grip is at the start of the step and at its end.
+struct GripPath {
+  int link = -1;
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();   // [m]
+};
+
+/// The grip's anchor at the start: it pulled with `pull` on the tool when the last step ended.
+GripPath gripFrom(const Model& m, const State& s, int link, const Vec3& pull) {   // [N]
+  if (link < 0) return {};
+  const StrandLink& l = s.work.strand.links[link];
+  return {link, strandPoint(m.strand, s.strand, l.coordinate) - pull / l.stiffness(0, 0), l.anchor};
+}
+
+Quat between(const Quat& a, const Quat& b, double share) {   // [1]
+  const double sign = a.dot(b) < 0.0 ? -1.0 : 1.0;           // [1]
+  Quat q;
+  q.coeffs() = (1.0 - share) * a.coeffs() + share * sign * b.coeffs();
+  return q.normalized();
+}
+
+class Substeps {
+ public:
+  Substeps(const Model& m, const KnottingMotion& motion, State& s) : model_(m), motion_(motion), state_(s) {
+    for (int hand = 0; hand < kHands; ++hand) {
+      const ToolState& t = s.tools[hand];
+      needle_[hand] = gripFrom(m, s, motion.grasps[hand].needle, t.needleForce);
+      thread_[hand] = gripFrom(m, s, motion.grasps[hand].thread, t.threadForce);
+    }
+    for (int turn = 0; turn < s.work.strand.turnCount; ++turn) turnTo_[turn] = s.work.strand.turns[turn].target;
+  }
+
+  void place(double before, double now) {      // [1] of the step
+    StrandWork& w = state_.work.strand;
+    int turn = 0;
+    for (int hand = 0; hand < kHands; ++hand) {
+      for (const GripPath* path : {&needle_[hand], &thread_[hand]})
+        if (path->link >= 0) w.links[path->link].anchor = path->from + now * (path->to - path->from);
+      if (needle_[hand].link < 0) continue;
+      const Quat from = (motion_.toolBefore[hand].orientation * state_.tools[hand].needleInTool.orientation).normalized();
+      w.turns[turn].target = between(from, turnTo_[turn], now);
+      ++turn;
+    }
+    for (int k = 0; k < kSolids; ++k) state_.work.threadSolids[k] = solidAt(k, before, now);
+  }
+
+ private:
+  ThreadSolid solidAt(int k, double before, double now) const {   // [1] of the step
+    const CapsuleShape &from = motion_.solids.before[k], &to = motion_.solids.now[k];
+    ThreadSolid solid;
+    solid.a = from.a + now * (to.a - from.a);
+    solid.b = from.b + now * (to.b - from.b);
+    solid.fromA = from.a + before * (to.a - from.a);
+    solid.fromB = from.b + before * (to.b - from.b);
+    solid.radius = to.radius;
+    solid.friction = model_.params.contact.threadToolFriction;
+    const int hand = solidHand(k);
+    const double held = hand >= 0 ? state_.tools[hand].threadCoordinate : -1.0;   // [m]
+    if (held >= 0.0) {
+      solid.freeFrom = held - kJawReach;
+      solid.freeTo = held + kJawReach;
+    }
+    return solid;
+  }
+
+  const Model& model_;
+  const KnottingMotion& motion_;
+  State& state_;
+  std::array<GripPath, kHands> needle_, thread_;
+  std::array<Quat, kHands> turnTo_;
+};
+
+/// Parts the thread where it is pulled hardest, if that is more than it bears.
+void breakThread(const Model& m, State& s, StepOutput& out) {
+  int worst = 0;
+  for (int i = 1; i + 1 < m.strand.nodes; ++i)
+    if (s.strand.tension[i] > s.strand.tension[worst]) worst = i;
+  const double pull = s.strand.tension[worst];   // [N]
+  if (pull < m.params.thread.breakingTension) return;
+  s.threadContacts.cut[worst] = 1;
+  s.strand.tension[worst] = 0.0;
+  pushEvent(out, {s.step, EventKind::kThreadBroken, -1, worst, pull});
+}
+
+}  // namespace
+
+bool solveKnottedStrand(const Model& m, const KnottingMotion& motion, State& s, StepOutput& out) {
+  const int count = m.params.thread.substeps;
+  Substeps substeps(m, motion, s);
+  ThreadTouch touch{s.threadContacts, s.work.threadContacts};
+  touch.work.solids = s.work.threadSolids;
+  s.work.threadOnTool = zeroVectors<kHands>();
+  for (int k = 0; k < count; ++k) {
+    substeps.place(static_cast<double>(k) / count, static_cast<double>(k + 1) / count);
+    if (!solveStrand(m.strand, m.params.dt / count, m.params.gravity, s.strand, s.work.strand, &touch)) return false;
+    for (int solid = 0; solid < kSolids; ++solid) {
+      const int hand = solidHand(solid);
+      if (hand >= 0) s.work.threadOnTool[hand] += forceOnSolid(touch.work, solid) / count;
+    }
+    breakThread(m, s, out);
+  }
+  return true;
+}
+
+void settleToolForces(State& s) {
+  for (int hand = 0; hand < kHands; ++hand) s.tools[hand].strandForce += s.work.threadOnTool[hand];
+}
+
+bool partedAt(const Model& m, const State& s, double coordinate) {
+  if (s.threadContacts.cut.empty() || coordinate > m.strand.length) return false;
+  return s.threadContacts.cut[threadSpot(m.strand, coordinate).node] != 0;
+}
+
+}  // namespace halsted

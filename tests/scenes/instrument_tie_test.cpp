@@ -1,0 +1,74 @@
+/// The instrument tie through the whole step: two tools, one thread, no helping hand from the program.
+#include <gtest/gtest.h>
+
+#include "sim/strand/knot_diagram.h"
+#include "tests/scenes/tied_wall.h"
+#include "tests/sim/tensile_test.h"
+
+namespace halsted {
+namespace {
+
+constexpr double kWanted = 5.0;                // [N] that a knot must bear
+
+struct Tied : TiedWall {
+  Tied(const std::string& throws, const std::string& newtons, const std::string& then = "") {
+    const std::string tie = "[[action]]\ndo = \"tie\"\ntie = \"" + throws + "\"\ntension_n = " + newtons + "\nlimit_s = 120\n";
+    EXPECT_TRUE(act(tie + then)) << failure;
+    EXPECT_EQ(state.threadContacts.dropped, 0) << "thread has passed through thread";
+    EXPECT_EQ(seen(Quantity::kThreadBreaks), 0);
+  }
+  std::string reading() const { return knotName(readKnot(state.strand.position)); }
+  double stitchTension() const {               // [N] in the thread inside the wall
+    const StrandState& s = state.strand;
+    return strandTension(model.strand, s, 0.5 * (s.holes[0].coordinate + s.holes[s.holeCount - 1].coordinate), 1);
+  }
+  TensileTest::Result pull() const {
+    const TensileTest::Result r = TensileTest(*this).load(kWanted);
+    std::printf("%s after %.1f s: bore %.2f N, opened %.2f mm, %s\n", reading().c_str(), state.step * model.params.dt, r.most, 1e3 * r.gained,
+                r.held ? "holds" : "slips");
+    return r;
+  }
+};
+
+TEST(InstrumentTie, ASingleThrowIsReadAndSlips) {
+  const Tied w("1", "3.0");
+  EXPECT_EQ(w.reading(), "half hitch");
+  EXPECT_EQ(w.seen(Quantity::kThrows), 1);
+  EXPECT_EQ(w.seen(Quantity::kKnotLocks), 0);
+  const TensileTest::Result r = w.pull();
+  EXPECT_FALSE(r.held);
+  EXPECT_LT(r.most, 1.0);
+}
+
+TEST(InstrumentTie, ASecondThrowOfOppositeSenseMakesASquareKnotThatHolds) {
+  const Tied w("1=1", "3.0");
+  EXPECT_EQ(w.reading(), "square");
+  EXPECT_EQ(w.seen(Quantity::kThrows), 2);
+  EXPECT_EQ(w.seen(Quantity::kKnotLocks), 1);
+  EXPECT_EQ(w.seen(Quantity::kWrongThrows), 0);
+  EXPECT_TRUE(w.pull().held);
+}
+
+/// The stitch that a knot closes keeps some of its tension when the hands let go; under a single throw it gives up all.
+TEST(InstrumentTie, TheStitchStaysTightUnderASquareKnotOnly) {
+  Tied single("1", "3.0"), square("1=1", "3.0");
+  const std::string letGo = "[[action]]\ndo = \"let_go\"\n[[action]]\ndo = \"hold\"\nlimit_s = 1\n";
+  for (Tied* w : {&single, &square}) {
+    const double drawn = w->stitchTension();   // [N]
+    ASSERT_TRUE(w->act(letGo)) << w->failure;
+    std::printf("%s: stitch at %.2f N, %.3f N when the hands have let go\n", w->reading().c_str(), drawn, w->stitchTension());
+  }
+  EXPECT_GT(square.stitchTension(), 0.05);
+  EXPECT_LT(single.stitchTension(), 0.02);
+}
+
+/// Both hands open before the throw is drawn tight: nothing is left that bears anything.
+TEST(InstrumentTie, LettingGoBeforeTighteningUndoesIt) {
+  const Tied w("1", "0.05", "[[action]]\ndo = \"let_go\"\n[[action]]\ndo = \"hold\"\nlimit_s = 1\n");
+  EXPECT_EQ(w.state.tools[kLeft].threadCoordinate, -1.0);
+  EXPECT_EQ(w.state.tools[kRight].threadCoordinate, -1.0);
+  EXPECT_LT(w.pull().most, 0.2);
+}
+
+}  // namespace
+}  // namespace halsted
