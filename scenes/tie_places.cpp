@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "scenes/portable_math.h"
+#include "sim/portable_math.h"
 #include "sim/strand/strand.h"
 #include "sim/suture/holes.h"
 
