@@ -1,6 +1,8 @@
 /// Knots in the whole step: tissue, holes, thread against thread and tools, two hands that draw a loosely laced knot tight on a wall.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "sim/fields.h"
 #include "sim/strand/knot_diagram.h"
 #include "tests/sim/laced_wall.h"
@@ -34,6 +36,26 @@ TEST(KnotInTheStep, ASingleThrowDrawnTightIsReadAndSlips) {
   report(w, r);
   EXPECT_FALSE(r.held);
   EXPECT_LT(r.most, 1.5);
+}
+
+/// Neither the pull of two still hands nor its end shakes the tissue, and no thread is pulled harder than they pull.
+TEST(KnotInTheStep, TheWallUnderAThrowDrawnTightComesToRest) {
+  LacedWall w(std::vector<int>{3});
+  w.drawTight(kDrawn, 0.6);
+  double fastest = 0.0, tension = 0.0;         // [m] in a step, of any vertex; [N]
+  for (int k = 0; k < 200; ++k) {
+    const std::vector<Vec3> before = w.state.tissue.position;
+    w.drawTight(kDrawn, w.model.params.dt);
+    for (std::size_t v = 0; v < before.size(); ++v) fastest = std::max(fastest, (w.state.tissue.position[v] - before[v]).norm());
+  }
+  w.letGo(0.0);
+  for (int k = 0; k < 300; ++k) {
+    w.step();
+    tension = std::max(tension, *std::max_element(w.state.strand.tension.begin(), w.state.strand.tension.end()));
+  }
+  std::printf("tissue moves %.1f um a step; %.2f N in the thread after the hands open\n", 1e6 * fastest, tension);
+  EXPECT_LT(fastest, 5e-6);
+  EXPECT_LT(tension, 1.05 * kDrawn);
 }
 
 TEST(KnotInTheStep, ASquareKnotIsNamedAndHoldsFiveNewtons) {
