@@ -58,6 +58,19 @@ TEST(KnotInTheStep, TheWallUnderAThrowDrawnTightComesToRest) {
   EXPECT_LT(tension, 1.05 * kDrawn);
 }
 
+/// Thread of little strength bears what it is said to bear, ends that fly back from hands that open included, and parts above it.
+TEST(KnotInTheStep, ThreadPartsUnderAPullBeyondItsStrengthOnly) {
+  LacedWall weak(std::vector<int>{3}), strong(std::vector<int>{3});
+  weak.model.params.thread.breakingTension = 0.8 * kDrawn;
+  strong.model.params.thread.breakingTension = 1.2 * kDrawn;
+  for (LacedWall* w : {&weak, &strong}) {
+    w->drawTight(kDrawn, 0.6);
+    w->letGo(0.3);
+  }
+  EXPECT_GT(weak.seen(Quantity::kThreadBreaks), 0);
+  EXPECT_EQ(strong.seen(Quantity::kThreadBreaks), 0);
+}
+
 TEST(KnotInTheStep, ASquareKnotIsNamedAndHoldsFiveNewtons) {
   Tightened w(std::vector<int>{3, -3});
   EXPECT_EQ(reading(w), "square");
