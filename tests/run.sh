@@ -79,7 +79,7 @@ thread_sanitizer() {
 
 fuzz() {
   build fuzz halsted_fuzzers || return 1
-  local seconds=5 target found=0
+  local seconds=3 target found=0
   [ "$mode" = sweeps ] && seconds=20
   [ "$mode" = full ] && seconds=300
   for target in build/fuzz/tests/fuzz_*; do
