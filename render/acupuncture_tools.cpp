@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "render/body_look.h"
+#include "render/color.h"
 #include "render/noise.h"
 
 namespace halsted::render {
@@ -37,13 +38,13 @@ Nail nailAt(double s, double angle) {                    // [1] radii from the t
 
 std::array<double, 3> fingerColor(double s, double angle, const Vec3& p) {   // [1], [rad], [m]
   const double blush = smoothStep(0.3, 0.7, fractalNoise(90.0 * p.x() + 5.0, 90.0 * p.y(), 90.0 * p.z(), 3));   // [1]
-  Vec3 color = (1.0 - 0.5 * blush) * kSkinPale + 0.5 * blush * kSkinRosy;
+  Vec3 color = mixed(kSkinPale, kSkinRosy, 0.5 * blush);
   color = color.cwiseProduct(Vec3::Ones() - 0.5 * smoothStep(2.2, 0.3, s) * Vec3(0.02, 0.20, 0.22));        // the tip is better supplied with blood
   const double crease = std::exp(-std::pow((s - 3.35) / 0.10, 2.0)) + 0.8 * std::exp(-std::pow((s - 3.05) / 0.07, 2.0)) + 0.6 * std::exp(-std::pow((s - 3.65) / 0.08, 2.0));
   color *= 1.0 - 0.22 * crease * std::abs(std::cos(0.5 * angle));                                            // [1] over the joint
   const Nail nail = nailAt(s, angle);
-  const Vec3 plate = (1.0 - nail.moon) * Vec3(0.66, 0.36, 0.30) + nail.moon * Vec3(0.74, 0.56, 0.50);
-  color = (1.0 - nail.inside) * color + nail.inside * ((1.0 - nail.edge) * plate + nail.edge * Vec3(0.80, 0.74, 0.66));
+  const Vec3 plate = mixed(Vec3(0.66, 0.36, 0.30), Vec3(0.74, 0.56, 0.50), nail.moon);
+  color = mixed(color, mixed(plate, Vec3(0.80, 0.74, 0.66), nail.edge), nail.inside);
   return {color.x(), color.y(), color.z()};
 }
 

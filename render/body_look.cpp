@@ -19,7 +19,7 @@ class Cells {
  public:
   Cells(int cells, std::uint32_t seed) : cells_(cells) {
     for (int i = 0; i < cells * cells; ++i) {
-      const double u = next(seed), v = next(seed);       // [1]
+      const double u = nextRandom(seed), v = nextRandom(seed);       // [1]
       seeds_.push_back({0.1 + 0.8 * u, 0.1 + 0.8 * v});
     }
   }
@@ -37,40 +37,30 @@ class Cells {
   }
 
  private:
-  static double next(std::uint32_t& seed) { seed = seed * 1664525u + 1013904223u; return (seed >> 8) / 16777216.0; }   // [1]
   int wrap(int i) const { return (i % cells_ + cells_) % cells_; }
   int cells_;
   std::vector<Seed> seeds_;
 };
 
-std::uint8_t byte(double x) { return static_cast<std::uint8_t>(255.0 * std::clamp(x, 0.0, 1.0) + 0.5); }   // [1]
-
 }  // namespace
 
 Image makeBodyImage(int size) {
-  Image image{size, size, std::vector<std::uint8_t>(4u * size * size)};
   const Cells fine(34, 5), coarse(15, 9), lobules(9, 3), bundles(7, 7);
   NoiseWalk warps(2, 6), mottles(4, 4), grains(3, 32), fibres(3, 4), waves(2, 5);
-  for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x) {
-      const double u = static_cast<double>(x) / size, v = static_cast<double>(y) / size;   // [1]
-      const double warp = warps.at(6 * u, 6 * v, 3.0) - 0.5, wave = waves.at(5 * u, 5 * v, 8.0) - 0.5;   // [1]
-      const Nearest small = fine.at(34 * u + warp, 34 * v - warp), big = coarse.at(15 * u + warp, 15 * v + wave);
-      const double furrow = smoothStep(0.02, 0.30, small.second - small.first) * (0.55 + 0.45 * smoothStep(0.0, 0.16, big.second - big.first));
-      const double grain = grains.at(32 * u, 32 * v, 1.0);                                 // [1]
-      const Nearest lobe = lobules.at(9 * u + warp, 9 * v + wave), bundle = bundles.at(7 * u, 7 * v + 0.8 * wave);
-      const double globule = smoothStep(0.02, 0.22, lobe.second - lobe.first) * (1.0 - 0.45 * lobe.first);
-      const double fibre = 0.7 * fibres.at(4 * u, 96 * v + 5 * wave, 2.0) + 0.3 * smoothStep(0.0, 0.25, bundle.second - bundle.first);
-      std::uint8_t* out = &image.rgba[4u * (static_cast<std::size_t>(y) * size + x)];
-      out[0] = byte(0.86 * furrow + 0.14 * grain);
-      out[1] = byte(globule);
-      out[2] = byte(fibre);
-      out[3] = byte(smoothStep(0.2, 0.8, mottles.at(4 * u, 4 * v, 0.0)));
-    }
-  return image;
+  return bake(size, [&](int x, int y) -> std::array<double, 4> {
+    const double u = static_cast<double>(x) / size, v = static_cast<double>(y) / size;   // [1]
+    const double warp = warps.at(6 * u, 6 * v, 3.0) - 0.5, wave = waves.at(5 * u, 5 * v, 8.0) - 0.5;   // [1]
+    const Nearest small = fine.at(34 * u + warp, 34 * v - warp), big = coarse.at(15 * u + warp, 15 * v + wave);
+    const double furrow = smoothStep(0.02, 0.30, small.second - small.first) * (0.55 + 0.45 * smoothStep(0.0, 0.16, big.second - big.first));
+    const double grain = grains.at(32 * u, 32 * v, 1.0);                                 // [1]
+    const Nearest lobe = lobules.at(9 * u + warp, 9 * v + wave), bundle = bundles.at(7 * u, 7 * v + 0.8 * wave);
+    const double globule = smoothStep(0.02, 0.22, lobe.second - lobe.first) * (1.0 - 0.45 * lobe.first);
+    const double fibre = 0.7 * fibres.at(4 * u, 96 * v + 5 * wave, 2.0) + 0.3 * smoothStep(0.0, 0.25, bundle.second - bundle.first);
+    return {0.86 * furrow + 0.14 * grain, globule, fibre, smoothStep(0.2, 0.8, mottles.at(4 * u, 4 * v, 0.0))};
+  });
 }
 
-const char* const kWithShadow = "#define LIT (0.56 + 0.44 * texture(uShadow, vShadow))\n";
+const char* const kWithShadow = "#define LIT shadowed(uShadow, vShadow)\n";
 const char* const kWithoutShadow = "#define LIT 1.0\n";
 
 const char* const kSkinFragment = R"(
@@ -84,16 +74,10 @@ out vec4 color;
 void main() {
   vec4 detail = texture(uSurface, vUv);
   vec3 n = normalize(vNormal), v = normalize(uEye - vPosition);
-  // Bumps from screen derivatives (Mikkelsen 2010): no tangents to follow the skin.
-  vec3 px = dFdx(vPosition), py = dFdy(vPosition);
-  float height = detail.r * 0.00005;
-  vec3 rx = cross(py, n), ry = cross(n, px);
-  float det = dot(px, rx);
-  vec3 rough = normalize(abs(det) * n - sign(det) * (dFdx(height) * rx + dFdy(height) * ry));
+  vec3 rough = bumped(n, vPosition, detail.r * 0.00005, 1.0);
   vec3 albedo = vColor.rgb * vColor.rgb * (0.90 + 0.16 * detail.a) * (0.91 + 0.11 * detail.r);
-  float towards = dot(mix(n, rough, 0.75), kLamp);
   vec3 wrap = vec3(0.34, 0.17, 0.12);                       // red light scatters furthest in skin
-  vec3 direct = clamp((towards + wrap) / (1.0 + wrap), 0.0, 1.0);
+  vec3 direct = wrapped(dot(mix(n, rough, 0.75), kLamp), wrap);
   float facing = clamp(dot(n, v), 0.0, 1.0);
   vec3 c = albedo * (1.02 * direct + mix(vec3(0.13, 0.10, 0.10), vec3(0.27, 0.28, 0.30), 0.5 + 0.5 * n.z) + 0.14 * facing * facing);
   // Sebum: a dull sheen that the furrows break up.
@@ -125,21 +109,16 @@ void main() {
   vec3 base = mix(red, veil, fascia);
   base = mix(base, yellow, fat);
   base = mix(base, pale, dermis);
-  vec3 px = dFdx(vPosition), py = dFdy(vPosition);
-  float height = (fat * detail.g * 0.00045 + (1.0 - fat) * (1.0 - dermis) * fibre * 0.00022);
-  vec3 rx = cross(py, n), ry = cross(n, px);
-  float det = dot(px, rx);
-  n = normalize(abs(det) * n - sign(det) * (dFdx(height) * rx + dFdy(height) * ry));
+  n = bumped(n, vPosition, fat * detail.g * 0.00045 + (1.0 - fat) * (1.0 - dermis) * fibre * 0.00022, 1.0);
   vec3 wrap = vec3(0.35, 0.20, 0.15);
-  vec3 direct = clamp((dot(n, kLamp) + wrap) / (1.0 + wrap), 0.0, 1.0);
+  vec3 direct = wrapped(dot(n, kLamp), wrap);
   float facing = clamp(dot(n, v), 0.0, 1.0);
   vec3 sky = vColor.rgb * vColor.rgb;
   vec3 c = base * sky * (0.95 * direct + vec3(0.26) + 0.20 * facing * facing);
   float s = clamp(dot(n, normalize(v + kLamp)), 0.0, 1.0);
   s *= s; s *= s; s *= s; s *= s; float wet = s * s;        // power 32
   c += (0.35 * wet * wet + 0.06 * wet) * (1.0 - 0.6 * dermis) * sky;
-  float lit = texture(uShadow, vShadow);
-  color = vec4(sqrt(c) * (0.56 + 0.44 * lit), 1.0);
+  color = vec4(sqrt(c) * shadowed(uShadow, vShadow), 1.0);
 })";
 
 const char* const kHandleFragment = R"(
@@ -152,13 +131,12 @@ out vec4 color;
 void main() {
   vec3 n = normalize(vNormal), v = normalize(uEye - vPosition);
   float facing = clamp(dot(n, v), 0.0, 1.0);
-  vec3 r = reflect(-v, n) + vec3(0.0, 0.0, 1.0);
-  vec3 seen = texture(uReflection, 0.5 + 0.5 * r.xy * inversesqrt(dot(r, r))).rgb;
+  vec3 seen = mirrored(uReflection, n, v);
   float coil = 0.5 + 0.5 * sin(6.2831853 * (vUv.x * 1900.0 + vUv.y));
   float band = smoothstep(0.35, 0.6, sin(6.2831853 * (vUv.x * 330.0 + vUv.y)));   // one copper strand in a lay of 3 mm
   vec3 metal = mix(vec3(0.80, 0.81, 0.82), vec3(0.62, 0.26, 0.10), band);
-  vec3 c = metal * (4.0 * seen * seen + 0.14) * (0.45 + 0.55 * coil);
-  color = vec4(sqrt(c), clamp((1.0 - sqrt(1.0 - facing * facing)) * vPixels, 0.0, 1.0));
+  vec3 c = metal * (4.0 * seen + 0.14) * (0.45 + 0.55 * coil);
+  color = vec4(sqrt(c), wireCover(facing, vPixels));
 })";
 
 const char* const kSheetFragment = R"(
@@ -170,7 +148,7 @@ out vec4 color;
 void main() {
   float fold = texture(uSurface, vUv * 0.21).a, away = length(vPosition.xy);
   vec3 c = vec3(0.26, 0.40, 0.42) * (0.80 + 0.35 * fold) * (0.012 + 0.988 * smoothstep(0.75, 0.10, away));
-  color = vec4(sqrt(c) * (0.56 + 0.44 * texture(uShadow, vShadow)), 1.0);
+  color = vec4(sqrt(c) * shadowed(uShadow, vShadow), 1.0);
 })";
 
 const char* const kMarkFragment = R"(

@@ -8,8 +8,10 @@
 #include "render/body_surface.h"
 #include "render/camera.h"
 #include "render/canvas.h"
+#include "render/discs.h"
 #include "render/magnifier.h"
 #include "render/painting.h"
+#include "render/program.h"
 #include "render/shaders.h"
 #include "render/shadow_map.h"
 
@@ -19,15 +21,6 @@ namespace {
 constexpr int kShadowSize = 1024;                        // texels
 constexpr double kLampRadius = 0.075;                    // [m] round the target: what casts and catches shadows
 constexpr double kMarkRadius = 3e-3;                     // [m] of the target's ring: what counts as having found it
-
-Program programOf(const char* vertex, const char* fragment, const char* switches = "") {
-  return makeProgram(shaderHead() + vertex, shaderHead() + switches + fragment);
-}
-
-void bindTexture(TextureUnit unit, const Texture& texture) {
-  glActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(GL_TEXTURE_2D, texture);
-}
 
 struct BodyPainting final : Painting {
   BodyPainting(const RenderScene&, const Canvas& picture);
@@ -51,27 +44,17 @@ struct BodyPainting final : Painting {
   ShadowMap shadow{kShadowSize};
   Texture bodyImage, reflection;
   BodySurface body;
-  GpuMesh sheet, shaft, handle, loop, finger, mark;
-  Matrix4 lamp, lampTexture;
-  int viewHeight;                                        // pixels of what is being drawn
+  GpuMesh sheet, shaft, handle, loop, finger;
+  Discs mark{1};
+  Matrix4 lamp;
 
-  void use(const Program&, const Matrix4& view, const CameraView&) const;
-  void place(const Program&, const Pose&) const;
-  void drawTools(const RenderSnapshot&, const Matrix4& view, const CameraView&) const;
-  void drawMarks(const Matrix4& view, const CameraView&, bool cutaway);
+  void drawTools(const RenderSnapshot&, const View&) const;
+  void drawMarks(const View&, bool cutaway);
   void drawShadows(const RenderSnapshot&) const;
-  void drawSkinShadows(const RenderSnapshot&, const Matrix4& view, const CameraView&, bool cutaway);
+  void drawSkinShadows(const RenderSnapshot&, const View&, bool cutaway);
   void drawMagnified(const RenderSnapshot&, const CameraView&, bool cutaway);
   Pose fingerStand(const RenderSnapshot&, int hand) const;
 };
-
-GpuMesh makeMark() {
-  GpuMesh mesh{makeArray(), makeBuffer(), {}, 6};
-  glBindVertexArray(mesh.array);
-  describe(mesh.vertices, 5 * sizeof(float), {{0, 3, 0}, {1, 2, 3 * sizeof(float)}});
-  glBufferData(GL_ARRAY_BUFFER, 6 * 5 * sizeof(float), nullptr, GL_STREAM_DRAW);
-  return mesh;
-}
 
 BodyPainting::BodyPainting(const RenderScene& scene, const Canvas& canvas)
     : picture(canvas), stand(scene), particles(placed(stand, scene.tissueRest)), points(scene.body.points), target(scene.body.target),
@@ -79,7 +62,7 @@ BodyPainting::BodyPainting(const RenderScene& scene, const Canvas& canvas)
       needleLength(scene.straightNeedle.length + scene.straightNeedle.handleLength + 5.0 * scene.straightNeedle.handleRadius),
       needleWidth(3.0 * scene.straightNeedle.handleRadius), body(scene, particles), sheet(uploadShape(makeSheet(body.lowest()))), shaft(uploadTube(makeShaft(scene.straightNeedle))),
       handle(uploadTube(makeHandle(scene.straightNeedle))), loop(uploadShape(makeHandleLoop(scene.straightNeedle))),
-      finger(uploadShape(scene.fingerRadius > 0.0 ? makeFinger(scene.fingerRadius) : Shape{})), mark(makeMark()), viewHeight(canvas.height()) {
+      finger(uploadShape(scene.fingerRadius > 0.0 ? makeFinger(scene.fingerRadius) : Shape{})) {
   for (AcupointMark& point : points) {
     point.place = stand.place(point.place);
     point.normal = stand.way(point.normal);
@@ -89,25 +72,9 @@ BodyPainting::BodyPainting(const RenderScene& scene, const Canvas& canvas)
   bodyImage = uploadImage(makeBodyImage(512), Sampling::kTiles);
   reflection = uploadImage(makeReflectionImage(256), Sampling::kNearest);
   lamp = lampProjection(Vec3(0.0, 0.0, 0.2 * kLampRadius), kLampRadius);
-  lampTexture = toTexture(lamp);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glEnable(GL_CULL_FACE);
-}
-
-void BodyPainting::use(const Program& program, const Matrix4& view, const CameraView& camera) const {
-  glUseProgram(program.id);
-  const Eigen::Vector3f eye = camera.eye.cast<float>();
-  const Matrix4 still = Matrix4::Identity();
-  glUniformMatrix4fv(program.model, 1, GL_FALSE, still.data());
-  glUniformMatrix4fv(program.viewProjection, 1, GL_FALSE, view.data());
-  glUniformMatrix4fv(program.shadowMatrix, 1, GL_FALSE, lampTexture.data());
-  glUniform3fv(program.eye, 1, eye.data());
-  glUniform1f(program.pixelSize, static_cast<float>(pixelSize(camera, viewHeight)));
-}
-
-void BodyPainting::place(const Program& program, const Pose& pose) const {
-  glUniformMatrix4fv(program.model, 1, GL_FALSE, matrixOf(pose).data());
 }
 
 /// Where the pressing finger is drawn: its pad on the tool's tip, coming from its own hand's side.
@@ -118,21 +85,20 @@ Pose BodyPainting::fingerStand(const RenderSnapshot& snapshot, int hand) const {
 }
 
 void BodyPainting::drawShadows(const RenderSnapshot& snapshot) const {
-  const CameraView none;
+  const View view = lampView(lamp);
   shadow.begin();
   for (int hand = 0; hand < kHands; ++hand) {
     if (tools[hand] == ToolKind::kFinger) {
-      use(rigidDepth, lamp, none);
+      use(rigidDepth, view);
       place(rigidDepth, fingerStand(snapshot, hand));
       finger.draw();
     }
     if (tools[hand] != ToolKind::kAcupunctureNeedle) continue;
     const Pose pose = stand.pose(snapshot.tools[hand].pose);
-    use(rigidDepth, lamp, none);
+    use(rigidDepth, view);
     place(rigidDepth, pose);
     loop.draw();
-    use(tubeDepth, lamp, none);
-    glUniform1f(tubeDepth.pixelSize, 0.0f);
+    use(tubeDepth, view);
     place(tubeDepth, pose);
     shaft.draw();
     handle.draw();
@@ -140,33 +106,31 @@ void BodyPainting::drawShadows(const RenderSnapshot& snapshot) const {
   shadow.end();
 }
 
-void BodyPainting::drawTools(const RenderSnapshot& snapshot, const Matrix4& view, const CameraView& camera) const {
+void BodyPainting::drawTools(const RenderSnapshot& snapshot, const View& view) const {
   for (int hand = 0; hand < kHands; ++hand)
     if (tools[hand] == ToolKind::kFinger) {
-      use(skin, view, camera);
+      use(skin, view);
       place(skin, fingerStand(snapshot, hand));
       finger.draw();
     }
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  const Blending over(Blending::kOver);
   for (int hand = 0; hand < kHands; ++hand) {
     if (tools[hand] != ToolKind::kAcupunctureNeedle) continue;
     const Pose pose = stand.pose(snapshot.tools[hand].pose);
-    use(shaftLook, view, camera);
+    use(shaftLook, view);
     place(shaftLook, pose);
     shaft.draw();
-    use(handleLook, view, camera);
+    use(handleLook, view);
     place(handleLook, pose);
     handle.draw();
-    use(steel, view, camera);
+    use(steel, view);
     place(steel, pose);
     loop.draw();
   }
-  glDisable(GL_BLEND);
 }
 
 /// A lookup for every pixel of skin would cost more than all else that is done for it.
-void BodyPainting::drawSkinShadows(const RenderSnapshot& snapshot, const Matrix4& view, const CameraView& camera, bool cutaway) {
+void BodyPainting::drawSkinShadows(const RenderSnapshot& snapshot, const View& view, bool cutaway) {
   constexpr double kSoft = 0.5e-3;                       // [m] what filtering adds to a shadow
   casters.clear();
   for (int hand = 0; hand < kHands; ++hand) {
@@ -176,45 +140,33 @@ void BodyPainting::drawSkinShadows(const RenderSnapshot& snapshot, const Matrix4
     if (isFinger || tools[hand] == ToolKind::kAcupunctureNeedle)
       casters.push_back({pose.position, pose.apply(Vec3(0.0, 0.0, length)), kSoft + (isFinger ? 1.25 * fingerRadius : needleWidth)});
   }
-  use(shadowLook, view, camera);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_DST_COLOR, GL_ZERO);
+  use(shadowLook, view);
+  const Blending darken(Blending::kDarken);
   body.drawShadowed(cutaway, casters);
-  glDisable(GL_BLEND);
 }
 
 /// Ink follows the skin; what lies in the part that is cut away is not drawn.
-void BodyPainting::drawMarks(const Matrix4& view, const CameraView& camera, bool cutaway) {
-  static constexpr float kCorner[6][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}};   // [1]
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+void BodyPainting::drawMarks(const View& view, bool cutaway) {
+  const Blending over(Blending::kOver);
   glDisable(GL_DEPTH_TEST);
-  use(markLook, view, camera);
+  use(markLook, view);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const AcupointMark& point = points[i];
     const bool isTarget = static_cast<int>(i) == target;
-    if ((cutaway && isTarget) || point.normal.dot(camera.eye - point.place) <= 0.0) continue;
+    if ((cutaway && isTarget) || point.normal.dot(view.eye - point.place) <= 0.0) continue;
     const Vec3 centre(point.place.x(), point.place.y(), body.skinHeight(point.place.x(), point.place.y(), point.place.z()));   // [m]
-    const Vec3 side = point.normal.cross(std::abs(point.normal.y()) < 0.9 ? Vec3::UnitY() : Vec3::UnitX()).normalized(), other = point.normal.cross(side);
-    float corners[6][5];                                 // [m] [1]
-    for (int k = 0; k < 6; ++k) {
-      const Vec3 p = centre + kMarkRadius * (kCorner[k][0] * side + kCorner[k][1] * other);   // [m]
-      for (int c = 0; c < 3; ++c) corners[k][c] = static_cast<float>(p[c]);
-      corners[k][3] = kCorner[k][0];
-      corners[k][4] = kCorner[k][1];
-    }
-    mark.stream(corners, sizeof corners);
+    const Vec3 side = anyAcross(point.normal), other = point.normal.cross(side);
+    mark.clear();
+    mark.add({centre, side, other}, kMarkRadius);
     glUniform1f(markLook.open, isTarget ? 1.0f : 0.0f);
-    glBindVertexArray(mark.array);
-    glDrawArrays(GL_TRIANGLES, 0, 6);
+    mark.draw();
   }
   glEnable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
 }
 
 void BodyPainting::draw(const RenderSnapshot& snapshot, const CameraView& world, bool cutaway) {
   const CameraView camera = stand.view(world);
-  const Matrix4 view = viewProjection(camera, static_cast<double>(picture.width()) / picture.height());
+  const View view = eyeView(camera, picture.width(), picture.height(), lamp);
   if (snapshot.tissue.size() == particles.size()) {
     for (std::size_t i = 0; i < particles.size(); ++i) particles[i] = stand.place(snapshot.tissue[i]);
     body.update(particles);
@@ -225,15 +177,15 @@ void BodyPainting::draw(const RenderSnapshot& snapshot, const CameraView& world,
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   bindTexture(kReflectionUnit, reflection);
   bindTexture(kSurfaceUnit, bodyImage);
-  use(skinBare, view, camera);
+  use(skinBare, view);
   body.drawSkin(cutaway);
-  drawSkinShadows(snapshot, view, camera, cutaway);
-  use(section, view, camera);
+  drawSkinShadows(snapshot, view, cutaway);
+  use(section, view);
   body.drawInside(cutaway);
-  use(sheetLook, view, camera);
+  use(sheetLook, view);
   sheet.draw();
-  drawMarks(view, camera, cutaway);
-  drawTools(snapshot, view, camera);
+  drawMarks(view, cutaway);
+  drawTools(snapshot, view);
   if (magnified(snapshot)) drawMagnified(snapshot, camera, cutaway);
 }
 
@@ -242,22 +194,20 @@ void BodyPainting::drawMagnified(const RenderSnapshot& snapshot, const CameraVie
   const Glass glass = magnifier(picture.width(), picture.height());
   const Vec3 middle = stand.place(snapshot.needling.contact);
   const CameraView near{camera.eye, middle, camera.up, 2.0 * std::atan(0.5 * kGlassHeight / (camera.eye - middle).norm()) * 180.0 / std::numbers::pi};
-  const Matrix4 view = viewProjection(near, static_cast<double>(glass.width) / glass.height);
+  const View view = eyeView(near, glass.width, glass.height, lamp);
   const int fromBottom = picture.height() - glass.y - glass.height;              // pixels
-  viewHeight = glass.height;
   glViewport(glass.x, fromBottom, glass.width, glass.height);
   glEnable(GL_SCISSOR_TEST);
   glScissor(glass.x, fromBottom, glass.width, glass.height);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   bindTexture(kSurfaceUnit, bodyImage);
-  use(skin, view, near);
+  use(skin, view);
   body.drawSkin(cutaway);
-  use(section, view, near);
+  use(section, view);
   body.drawInside(cutaway);
-  drawTools(snapshot, view, near);
+  drawTools(snapshot, view);
   glDisable(GL_SCISSOR_TEST);
   glViewport(0, 0, picture.width(), picture.height());
-  viewHeight = picture.height();
 }
 
 }  // namespace

@@ -5,11 +5,15 @@
 
 namespace halsted::render {
 
+const AcupointMark* targetOf(const LayeredBody& body) {
+  return body.target >= 0 && body.target < static_cast<int>(body.points.size()) ? &body.points[static_cast<std::size_t>(body.target)] : nullptr;
+}
+
 Stand::Stand(const RenderScene& scene) {
   Vec3 up = scene.camera.up.normalized();
-  if (scene.body.target >= 0 && scene.body.target < static_cast<int>(scene.body.points.size())) {
-    origin = scene.body.points[static_cast<std::size_t>(scene.body.target)].place;
-    up = scene.body.points[static_cast<std::size_t>(scene.body.target)].normal.normalized();
+  if (const AcupointMark* target = targetOf(scene.body)) {
+    origin = target->place;
+    up = target->normal.normalized();
   }
   Vec3 toViewer = scene.camera.eye - origin;
   toViewer -= toViewer.dot(up) * up;

@@ -7,6 +7,9 @@
 
 namespace halsted::render {
 
+/// The point that the scene asks for; null when it asks for none.
+const AcupointMark* targetOf(const LayeredBody&);
+
 /// Picture space: the target at the origin, +z out of the skin, +y toward the viewer. Lamp and mirrored room stand in it.
 struct Stand {
   Vec3 origin = Vec3::Zero();                            // [m]

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/body_look.h"
+#include "render/color.h"
 #include "render/light.h"
 #include "render/noise.h"
 
@@ -32,7 +33,7 @@ double kindOf(int layer) {                               // [1]
 Vec3 skinColor(const Vec3& p) {                          // [m] -> linear reflectance [1]
   const Vec3 q = 45.0 * p;                               // [1] two centimetres a lobe
   const double blush = smoothStep(0.35, 0.68, fractalNoise(q.x() + 11.0, q.y(), q.z(), 3));   // [1]
-  return (1.0 - blush) * kSkinPale + blush * kSkinRosy;
+  return mixed(kSkinPale, kSkinRosy, blush);
 }
 
 Look lookOf(int layer, const Vec3& p) {                  // [m] rest, picture space
@@ -40,8 +41,8 @@ Look lookOf(int layer, const Vec3& p) {                  // [m] rest, picture sp
   if (isSkin(layer)) color = skinColor(p);
   else color *= 1.0 - 0.55 * std::clamp(-p.z() / 26e-3, 0.0, 1.0);   // a cut is darker in its depth
   Look look{};
-  for (int k = 0; k < 3; ++k) look.color[k] = static_cast<std::uint8_t>(std::lround(255.0 * std::sqrt(std::clamp(color[k], 0.0, 1.0))));
-  look.color[3] = static_cast<std::uint8_t>(std::lround(255.0 * (isSkin(layer) ? 1.0 : kindOf(layer))));
+  for (int k = 0; k < 3; ++k) look.color[k] = rootByteOf(color[k]);
+  look.color[3] = byteOf(kindOf(layer));
   return look;
 }
 
@@ -62,7 +63,7 @@ std::array<float, 2> onWall(const Vec3& p) {             // [m]
 
 BodySurface::BodySurface(const RenderScene& scene, const std::vector<Vec3>& rest)
     : skin_(buildSkin(scene.surface, scene.triangleLayer, scene.surfaceUv, rest.size(), 0)), pose_(skin_),
-      mesh_{makeArray(), makeBuffer(), {}, 0}, looks_(makeBuffer()), room_(makeBuffer()), stream_(kFloats * skin_.corners.size()) {
+      mesh_{makeArray(), makeBuffer(), {}, 0}, looks_(makeBuffer()), stream_(kFloats * skin_.corners.size()) {
   std::vector<Look> looks;
   for (std::size_t i = 0; i < skin_.corners.size(); ++i) {
     const SkinCorner& c = skin_.corners[i];
@@ -91,8 +92,7 @@ BodySurface::BodySurface(const RenderScene& scene, const std::vector<Vec3>& rest
   skinCut_ = uploadOtherIndices(cut);
   inside_ = uploadOtherIndices(inside);
   shadowed_.reserve(whole.size());
-  glBindBuffer(GL_ARRAY_BUFFER, room_);                  // not as indices yet: that would enter the bound vertex array
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(std::max(whole.size(), cut.size()) * sizeof(std::uint32_t)), nullptr, GL_STREAM_DRAW);
+  room_ = makeIndexRoom(std::max(whole.size(), cut.size()));
   skinIndices_ = {std::move(whole), std::move(cut)};
   for (const Vec3& p : rest) lowest_ = std::min(lowest_, p.z());
   update(rest);
@@ -119,17 +119,16 @@ void BodySurface::drawInside(bool cutaway) const {
 }
 
 void BodySurface::drawShadowed(bool cutaway, const std::vector<CapsuleShape>& casters) {
-  const Vec3 first = Vec3::UnitX().cross(lightDirection()).normalized(), second = lightDirection().cross(first);
-  const auto along = [&](const Vec3& p) { return Eigen::Vector2d(p.dot(first), p.dot(second)); };     // [m]
+  const LampPlane plane;
   const auto corner = [&](std::uint32_t c) { return Vec3(stream_[kFloats * c], stream_[kFloats * c + 1], stream_[kFloats * c + 2]); };   // [m]
   const std::vector<std::uint32_t>& all = skinIndices_[cutaway ? 1 : 0];
   shadowed_.clear();
   for (std::size_t t = 0; t + 2 < all.size(); t += 3) {
     const Vec3 a = corner(all[t]), b = corner(all[t + 1]), c = corner(all[t + 2]), middle = (a + b + c) / 3.0;   // [m]
     const double size = std::sqrt(std::max({(a - middle).squaredNorm(), (b - middle).squaredNorm(), (c - middle).squaredNorm()}));   // [m]
-    const Eigen::Vector2d at = along(middle);
+    const Eigen::Vector2d at = plane.at(middle);
     for (const CapsuleShape& caster : casters) {
-      const Eigen::Vector2d from = along(caster.a), way = along(caster.b) - from;                     // [m]
+      const Eigen::Vector2d from = plane.at(caster.a), way = plane.at(caster.b) - from;   // [m]
       const double t01 = std::clamp((at - from).dot(way) / std::max(way.squaredNorm(), 1e-18), 0.0, 1.0);   // [1]
       if (!((at - from - t01 * way).norm() < caster.radius + size)) continue;
       shadowed_.insert(shadowed_.end(), &all[t], &all[t] + 3);

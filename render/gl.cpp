@@ -49,7 +49,6 @@ Program makeProgram(const std::string& vertex, const std::string& fragment) {
   program.tint = find("uTint");
   program.pixelSize = find("uPixelSize");
   program.open = find("uOpen");
-  program.lightCentre = find("uLightCentre");
   glUseProgram(program.id);
   bindSampler(program.id, "uSurface", kSurfaceUnit);
   bindSampler(program.id, "uReflection", kReflectionUnit);

@@ -44,7 +44,7 @@ enum TextureUnit : int { kSurfaceUnit = 0, kReflectionUnit = 1, kShadowUnit = 2 
 /// A linked program with the locations of the uniforms that all shaders share; -1 when a shader does not use one.
 struct Program {
   GlName<destroyProgram> id;
-  GLint model = -1, viewProjection = -1, shadowMatrix = -1, eye = -1, tint = -1, pixelSize = -1, open = -1, lightCentre = -1;
+  GLint model = -1, viewProjection = -1, shadowMatrix = -1, eye = -1, tint = -1, pixelSize = -1, open = -1;
 };
 
 /// Throws std::runtime_error with the compiler's log.

@@ -1,6 +1,17 @@
 #include "render/gpu_mesh.h"
 
 namespace halsted::render {
+namespace {
+
+/// Bound as an array and not as indices: that would enter the vertex array which happens to be bound.
+Buffer makeIndexBuffer(std::size_t count, const std::uint32_t* data, GLenum usage) {
+  Buffer buffer = makeBuffer();
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(count * sizeof(std::uint32_t)), data, usage);
+  return buffer;
+}
+
+}  // namespace
 
 void GpuMesh::draw() const {
   if (count == 0) return;
@@ -38,11 +49,10 @@ void uploadIndices(GpuMesh& mesh, const std::vector<std::uint32_t>& indices) {
 }
 
 GpuIndices uploadOtherIndices(const std::vector<std::uint32_t>& indices) {
-  GpuIndices other{makeBuffer(), static_cast<GLsizei>(indices.size())};
-  glBindBuffer(GL_ARRAY_BUFFER, other.buffer);           // not as indices: that would enter the bound vertex array
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data(), GL_STATIC_DRAW);
-  return other;
+  return {makeIndexBuffer(indices.size(), indices.data(), GL_STATIC_DRAW), static_cast<GLsizei>(indices.size())};
 }
+
+Buffer makeIndexRoom(std::size_t count) { return makeIndexBuffer(count, nullptr, GL_STREAM_DRAW); }
 
 GpuMesh uploadShape(const Shape& shape) {
   GpuMesh mesh{makeArray(), makeBuffer(), {}, 0};

@@ -29,6 +29,8 @@ struct GpuMesh {
 
 GpuMesh uploadShape(const Shape&);
 GpuMesh uploadTube(const Tube&);
+/// Room for that many indices, for GpuMesh::drawOnly to fill each frame.
+Buffer makeIndexRoom(std::size_t count);
 GpuIndices uploadOtherIndices(const std::vector<std::uint32_t>&);
 void uploadIndices(GpuMesh&, const std::vector<std::uint32_t>&);   // to the bound vertex array
 

@@ -14,7 +14,6 @@ namespace {
 
 const char* const kFontPath = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";   // Debian fonts-dejavu-core
 
-
 void drawProcedure(const Pen& pen, const std::string& title, const std::vector<std::string>& ids,
                    const std::vector<std::string>& instructions, int current) {
   const int steps = static_cast<int>(ids.size());
@@ -58,21 +57,10 @@ void drawHand(const Pen& pen, float x, float y, const char* hand, ToolKind tool,
 }
 
 void drawMeasures(const Pen& pen, float right, float y, const RenderSnapshot& s) {
-  const float x = 0.5f * right - 250.0f;                   // pixels
-  pen.panel(x, y, 500, 50);
-  struct Cell { const char* name; char value[24]; ImU32 color; } cells[5] = {
-      {"time", {}, kText}, {"thread", {}, forceColor(0.6 * s.threadTension)}, {"bites", {}, kText},
-      {"faults", {}, s.faults ? kBad : kGood}, {"opening", {}, kText}};
-  std::snprintf(cells[0].value, sizeof cells[0].value, "%.1f s", s.time);
-  std::snprintf(cells[1].value, sizeof cells[1].value, "%.2f N", s.threadTension);
-  std::snprintf(cells[2].value, sizeof cells[2].value, "%u", s.bites);
-  std::snprintf(cells[3].value, sizeof cells[3].value, "%u", s.faults);
-  std::snprintf(cells[4].value, sizeof cells[4].value, "%.2f cm\xc2\xb2", 1e4 * s.openingArea);
-  for (int i = 0; i < 5; ++i) {
-    const float centre = x + 50.0f + 100.0f * static_cast<float>(i);   // pixels
-    pen.text(centre - 0.5f * pen.width(cells[i].name, 12), y + 5, kDim, cells[i].name, 12);
-    pen.text(centre - 0.5f * pen.width(cells[i].value, 18), y + 22, cells[i].color, cells[i].value, 18);
-  }
+  pen.readings({0.5f * right, y}, 100.0f, 18.0f,
+               {reading("time", kText, "%.1f s", s.time), reading("thread", forceColor(0.6 * s.threadTension), "%.2f N", s.threadTension),
+                reading("bites", kText, "%u", s.bites), reading("faults", s.faults ? kBad : kGood, "%u", s.faults),
+                reading("opening", kText, "%.2f cm\xc2\xb2", 1e4 * s.openingArea)});
 }
 
 void drawTiming(const Pen& pen, float right, const HudInput& hud) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/body_stand.h"
 #include "render/camera.h"
 #include "render/hud_pen.h"
 #include "render/magnifier.h"
@@ -13,10 +14,6 @@ namespace {
 constexpr double kDegrees = 180.0 / std::numbers::pi;    // [1]
 constexpr ImU32 kLayerColors[3] = {IM_COL32(236, 190, 168, 255), IM_COL32(238, 196, 84, 255), IM_COL32(196, 62, 54, 255)};
 const char* const kLayerNames[4] = {"outside", "skin", "fat", "muscle"};
-
-const AcupointMark* targetOf(const LayeredBody& body) {
-  return body.target >= 0 && body.target < static_cast<int>(body.points.size()) ? &body.points[static_cast<std::size_t>(body.target)] : nullptr;
-}
 
 /// Names beside the points that face the eye.
 void drawNames(const Pen& pen, const HudSize& size, const LayeredBody& body, const CameraView& camera) {
@@ -60,32 +57,19 @@ void drawGauge(const Pen& pen, const HudSize& size, const AcupointMark* target, 
   pen.list->AddLine(pen.at(x - 8.0f, y), pen.at(x + 26.0f, y), kGood, 2.0f * pen.scale);
 }
 
-struct Cell { const char* name; char value[32]; ImU32 color; };
-
-void drawCells(const Pen& pen, const HudSize& size, const AcupointMark* target, const RenderSnapshot& s) {
+void drawReadings(const Pen& pen, const HudSize& size, const AcupointMark* target, const RenderSnapshot& s) {
   const NeedlingView& n = s.needling;
   const double depth = 1e3 * std::max(n.depth, 0.0), angle = kDegrees * n.angle;   // [mm] [deg]
-  const double deepError = target ? std::abs(depth - 1e3 * target->depth) : 0.0, angleError = target ? std::abs(angle - kDegrees * target->angle) : 0.0;
-  Cell cells[7] = {{"time", {}, kText}, {"depth", {}, n.punctured > 0 ? (deepError < 2.0 ? kGood : kText) : kDim},
-                   {"angle", {}, angleError < 15.0 ? kGood : kWarn}, {"tip in", {}, kText}, {"turned", {}, kText},
-                   {"grasp", {}, n.grasp >= 1.3 ? kGood : kText}, {"faults", {}, s.faults ? kBad : kGood}};
-  const bool goal = target != nullptr;
-  std::snprintf(cells[0].value, sizeof cells[0].value, "%.1f s", s.time);
-  if (goal) std::snprintf(cells[1].value, sizeof cells[1].value, "%.1f / %.0f mm", depth, 1e3 * target->depth);
-  else std::snprintf(cells[1].value, sizeof cells[1].value, "%.1f mm", depth);
-  if (goal) std::snprintf(cells[2].value, sizeof cells[2].value, "%.0f / %.0f\xc2\xb0", angle, kDegrees * target->angle);
-  else std::snprintf(cells[2].value, sizeof cells[2].value, "%.0f\xc2\xb0", angle);
-  std::snprintf(cells[3].value, sizeof cells[3].value, "%s", kLayerNames[std::clamp(n.punctured, 0, 3)]);
-  std::snprintf(cells[4].value, sizeof cells[4].value, "%+.0f\xc2\xb0", kDegrees * n.turned);
-  std::snprintf(cells[5].value, sizeof cells[5].value, "%.2f x", n.grasp);
-  std::snprintf(cells[6].value, sizeof cells[6].value, "%u", s.faults);
-  const float x = 0.5f * size.width - 336.0f, y = size.height - 62.0f;              // pixels
-  pen.panel(x, y, 672, 50);
-  for (int i = 0; i < 7; ++i) {
-    const float centre = x + 48.0f + 96.0f * static_cast<float>(i);                 // pixels
-    pen.text(centre - 0.5f * pen.width(cells[i].name, 12), y + 5, kDim, cells[i].name, 12);
-    pen.text(centre - 0.5f * pen.width(cells[i].value, 16), y + 23, cells[i].color, cells[i].value, 16);
-  }
+  const double wantedDepth = target ? 1e3 * target->depth : depth, wantedAngle = target ? kDegrees * target->angle : angle;   // [mm] [deg]
+  const ImU32 deep = n.punctured <= 0 ? kDim : std::abs(depth - wantedDepth) < 2.0 ? kGood : kText;
+  const ImU32 tilted = std::abs(angle - wantedAngle) < 15.0 ? kGood : kWarn;
+  pen.readings({0.5f * size.width, size.height - 62.0f}, 96.0f, 16.0f,
+               {reading("time", kText, "%.1f s", s.time),
+                target ? reading("depth", deep, "%.1f / %.0f mm", depth, wantedDepth) : reading("depth", deep, "%.1f mm", depth),
+                target ? reading("angle", tilted, "%.0f / %.0f\xc2\xb0", angle, wantedAngle) : reading("angle", tilted, "%.0f\xc2\xb0", angle),
+                reading("tip in", kText, "%s", kLayerNames[std::clamp(n.punctured, 0, 3)]),
+                reading("turned", kText, "%+.0f\xc2\xb0", kDegrees * n.turned),
+                reading("grasp", n.grasp >= 1.3 ? kGood : kText, "%.2f x", n.grasp), reading("faults", s.faults ? kBad : kGood, "%u", s.faults)});
 }
 
 void drawTarget(const Pen& pen, const HudSize& size, const AcupointMark& target) {
@@ -114,7 +98,7 @@ void drawGlassFrame(const Pen& pen, const HudSize& size, const NeedlingView& n) 
 void drawNeedling(const Pen& pen, const HudSize& size, const LayeredBody& body, const RenderSnapshot& snapshot, const CameraView& camera) {
   const AcupointMark* target = targetOf(body);
   drawNames(pen, size, body, camera);
-  drawCells(pen, size, target, snapshot);
+  drawReadings(pen, size, target, snapshot);
   drawGauge(pen, size, target, snapshot.needling);
   if (target) drawTarget(pen, size, *target);
   if (magnified(snapshot)) drawGlassFrame(pen, size, snapshot.needling);

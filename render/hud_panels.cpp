@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/program.h"
+
 namespace halsted::render {
 namespace {
 
@@ -12,18 +14,18 @@ constexpr int kPerCorner = 4;                  // points of a quarter circle
 constexpr int kPoints = 4 * kPerCorner;
 constexpr std::size_t kFloatsPerPanel = 2 * 3 * (kPoints - 2);
 
-const char* const kVertex = R"(#version 330 core
+const char* const kVertex = R"(
 layout(location = 0) in vec2 aPosition;
 void main() { gl_Position = vec4(aPosition, 0.0, 1.0); })";
 
-const char* const kFragment = R"(#version 330 core
+const char* const kFragment = R"(
 out vec4 color;
 void main() { color = vec4(0.0235, 0.0627, 0.0784, 0.588); })";
 
 }  // namespace
 
 HudPanels::HudPanels(int width, int height)
-    : width_(static_cast<float>(width)), height_(static_cast<float>(height)), program_(makeProgram(kVertex, kFragment)), array_(makeArray()),
+    : width_(static_cast<float>(width)), height_(static_cast<float>(height)), program_(programOf(kVertex, kFragment)), array_(makeArray()),
       buffer_(makeBuffer()) {
   corners_.reserve(kMostPanels * kFloatsPerPanel);
   glBindVertexArray(array_);
@@ -52,11 +54,9 @@ void HudPanels::draw() const {
   glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(corners_.size() * sizeof(float)), corners_.data());
   glUseProgram(program_.id);
   glDisable(GL_DEPTH_TEST);
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  const Blending over(Blending::kOver);
   glBindVertexArray(array_);
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners_.size() / 2));
-  glDisable(GL_BLEND);
   glEnable(GL_DEPTH_TEST);
 }
 

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 
 #include "render/hud_panels.h"
@@ -12,6 +13,15 @@ namespace halsted::render {
 inline constexpr ImU32 kText = IM_COL32(232, 240, 240, 255), kDim = IM_COL32(150, 172, 176, 255);
 inline constexpr ImU32 kGood = IM_COL32(104, 214, 160, 255), kWarn = IM_COL32(255, 190, 80, 255), kBad = IM_COL32(255, 96, 84, 255);
 inline constexpr ImU32 kTrack = IM_COL32(255, 255, 255, 34);
+
+/// A number under its name.
+struct Reading { const char* name; ImU32 color; char value[32]; };
+template <typename... Args>
+Reading reading(const char* name, ImU32 color, const char* format, Args... args) {
+  Reading out{name, color, {}};
+  std::snprintf(out.value, sizeof out.value, format, args...);
+  return out;
+}
 
 /// A pen over the frame's draw list; sizes are in pixels of a 720-line picture.
 struct Pen {
@@ -37,6 +47,17 @@ struct Pen {
     char line[256];
     std::snprintf(line, sizeof line, format, args...);
     text(x, y, color, line);
+  }
+  /// On a panel of their own, `spacing` apart, side by side about the middle of its upper edge.
+  template <std::size_t N>
+  void readings(const ImVec2& middle, float spacing, float size, const Reading (&row)[N]) const {   // [pixels]
+    const float x = middle.x - 0.5f * spacing * static_cast<float>(N), y = middle.y;   // pixels
+    panel(x, y, spacing * static_cast<float>(N), 50.0f);
+    for (std::size_t i = 0; i < N; ++i) {
+      const float centre = x + spacing * (0.5f + static_cast<float>(i));               // pixels
+      text(centre - 0.5f * width(row[i].name, 12), y + 5, kDim, row[i].name, 12);
+      text(centre - 0.5f * width(row[i].value, size), y + 31 - 0.5f * size, row[i].color, row[i].value, size);
+    }
   }
 };
 

@@ -33,22 +33,27 @@ double edge(int i, double y, double z, int period) {                            
                blend(lattice(i, j, k + 1, period), lattice(i, j + 1, k + 1, period), v), w);
 }
 
-}  // namespace
-
-double noise(double x, double y, double z, int period) {
-  const int i = floorOf(x);
-  return blend(edge(i, y, z, period), edge(i + 1, y, z, period), ease(x - i));
-}
-
-double fractalNoise(double x, double y, double z, int octaves, int period) {
+/// Each octave half as strong as the one before; `octave` takes its number and its scale.
+template <typename Octave>
+double sumOf(int octaves, Octave octave) {
   double sum = 0.0, total = 0.0, strength = 1.0;                                       // [1]
   for (int o = 0; o < octaves; ++o) {
-    const double scale = static_cast<double>(1 << o);                                  // [1]
-    sum += strength * noise(x * scale, y * scale, z * scale + 17.0 * o, period << o);
+    sum += strength * octave(o, static_cast<double>(1 << o));
     total += strength;
     strength *= 0.5;
   }
   return sum / total;
+}
+
+}  // namespace
+
+double noise(double x, double y, double z) {
+  const int i = floorOf(x);
+  return blend(edge(i, y, z, 0), edge(i + 1, y, z, 0), ease(x - i));
+}
+
+double fractalNoise(double x, double y, double z, int octaves) {
+  return sumOf(octaves, [&](int o, double scale) { return noise(x * scale, y * scale, z * scale + 17.0 * o); });   // [1]
 }
 
 double NoiseWalk::octave(Cell& cell, double x, double y, double z, int period) const {
@@ -66,14 +71,14 @@ double NoiseWalk::octave(Cell& cell, double x, double y, double z, int period) c
 }
 
 double NoiseWalk::at(double x, double y, double z) {
-  double sum = 0.0, total = 0.0, strength = 1.0;                                       // [1]
-  for (int o = 0; o < octaves_; ++o) {
-    const double scale = static_cast<double>(1 << o);                                  // [1]
-    sum += strength * octave(cells_[o], x * scale, y * scale, z * scale + 17.0 * o, period_ << o);
-    total += strength;
-    strength *= 0.5;
-  }
-  return sum / total;
+  return sumOf(octaves_, [&](int o, double scale) {                                    // [1]
+    return octave(cells_[o], x * scale, y * scale, z * scale + 17.0 * o, period_ << o);
+  });
+}
+
+double nextRandom(std::uint32_t& seed) {
+  seed = seed * 1664525u + 1013904223u;
+  return (seed >> 8) / 16777216.0;
 }
 
 double smoothStep(double low, double high, double x) { return ease(std::clamp((x - low) / (high - low), 0.0, 1.0)); }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/color.h"
 #include "render/light.h"
 #include "render/noise.h"
 
@@ -86,10 +87,10 @@ void layPad(double x, double y, const Pad& pad, PadNoises& noises, Ground& g) { 
   Vec3 color = Vec3(0.80, 0.79, 0.75) * (1.0 - 0.22 * soak);
   color = color.cwiseProduct(Vec3(1.0, 1.0 - 0.42 * soak - 0.52 * blood, 1.0 - 0.46 * soak - 0.52 * blood).cwiseMax(Vec3::Constant(0.06)));
   const double hem = smoothStep(0.030, 0.012, std::abs(d + 0.30)) * smoothStep(-0.4, 0.3, std::sin(34.0 * (x + 1.3 * y)));   // [1]
-  color = (1.0 - hem) * color + hem * Vec3(0.05, 0.13, 0.42);                                 // stitches of the marker thread
+  color = mixed(color, Vec3(0.05, 0.13, 0.42), hem);                                 // stitches of the marker thread
   const double roll = smoothStep(-0.22, 0.0, d);                                              // [1] the hem curls down
   g.height = (1.0 - inside) * g.height + inside * (6.5e-3 + 3.0e-3 * fold + 2.2e-3 * crease - 3.0e-3 * roll * roll);
-  g.color = (1.0 - inside) * g.color + inside * color;
+  g.color = mixed(g.color, color, inside);
   g.shade = (1.0 - inside) * g.shade + inside * (0.60 + 0.40 * fold) * gauze(150.0 * x + 9.0 * warp, 150.0 * y + 9.0 * crease);
   g.kind = inside > 0.5 ? 0.5 : g.kind;
 }
@@ -107,10 +108,10 @@ void openWound(double x, double y, Noises& noises, Ground& g) {                 
   const double lobes = std::sqrt(std::abs(std::sin(14.0 * noises.lobes.at(2.4 * x, 2.4 * y, 7.0))));   // [1]
   const double deep = smoothStep(edge, 0.95, r);                                              // [1]
   const double red = smoothStep(0.35, 0.65, noises.red.at(1.2 * x, 1.2 * y, 11.0));          // [1]
-  Vec3 color = (1.0 - red) * Vec3(0.72, 0.47, 0.15) + red * Vec3(0.44, 0.070, 0.055);          // fat and raw muscle
-  color = (1.0 - 0.6 * deep) * color + 0.6 * deep * Vec3(0.22, 0.02, 0.018);
+  Vec3 color = mixed(Vec3(0.72, 0.47, 0.15), Vec3(0.44, 0.070, 0.055), red);          // fat and raw muscle
+  color = mixed(color, Vec3(0.22, 0.02, 0.018), 0.6 * deep);
   g.height = (1.0 - inside) * g.height + inside * (2e-3 - 10e-3 * deep + 1.3e-3 * lobes);
-  g.color = (1.0 - inside) * g.color + inside * color;
+  g.color = mixed(g.color, color, inside);
   g.shade = (1.0 - inside) * g.shade + inside * (0.95 - 0.78 * deep) * (0.35 + 0.65 * lobes) * smoothStep(0.82, 1.0, r);
   g.kind = inside > 0.5 ? 1.0 : g.kind;
 }
@@ -170,8 +171,6 @@ Vec3 litColor(const Ground& g, const Slope& slope) {                            
   return g.color * light + Vec3::Constant(glint);
 }
 
-std::uint8_t byte(double x) { return static_cast<std::uint8_t>(255.0 * std::clamp(x, 0.0, 1.0) + 0.5); }   // [1]
-
 /// Three rows of ground are all that a row of the picture needs; the whole of it would take a hundred megabytes.
 class FieldPainter {
  public:
@@ -187,8 +186,8 @@ class FieldPainter {
     for (int x = 0; x < size_; ++x, out += 4) {
       const Slope slope{own[std::max(x - 1, 0)].height - own[std::min(x + 1, size_ - 1)].height, before[x].height - after[x].height, 2.0 * texel_};
       const Vec3 lit = litColor(own[x], slope) * pool(at(x), at(y));
-      for (int k = 0; k < 3; ++k) out[k] = byte(std::sqrt(std::max(lit[k], 0.0)));
-      out[3] = byte(own[x].kind);
+      for (int k = 0; k < 3; ++k) out[k] = rootByteOf(lit[k]);
+      out[3] = byteOf(own[x].kind);
     }
   }
 

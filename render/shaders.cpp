@@ -13,6 +13,32 @@ std::string shaderHead() {
   return head;
 }
 
+std::string fragmentHead() {
+  return shaderHead() + R"(
+// What polished metal mirrors of the theatre, from its sphere map: lamps are far brighter than walls, the square keeps them so.
+vec3 mirrored(sampler2D theatre, vec3 n, vec3 v) {
+  vec3 r = reflect(-v, n) + vec3(0.0, 0.0, 1.0);
+  vec3 seen = texture(theatre, 0.5 + 0.5 * r.xy * inversesqrt(dot(r, r))).rgb;
+  return seen * seen;
+}
+// The normal of a surface with a relief of that height [m], of which `share` counts. From screen derivatives (Mikkelsen 2010): no
+// tangents to follow what moves.
+vec3 bumped(vec3 n, vec3 position, float height, float share) {
+  vec3 px = dFdx(position), py = dFdy(position);
+  vec3 rx = cross(py, n), ry = cross(n, px);
+  float det = dot(px, rx);
+  vec3 slope = sign(det) * (dFdx(height) * rx + dFdy(height) * ry);
+  return normalize(abs(det) * n - share * slope);
+}
+// Light that goes on round the edge of what scatters it, by colour.
+vec3 wrapped(float towards, vec3 wrap) { return clamp((towards + wrap) / (1.0 + wrap), 0.0, 1.0); }
+// A shadow leaves 0.56 of the square root, 0.31 of the light.
+float shadowed(sampler2DShadow lamp, vec3 at) { return 0.56 + 0.44 * texture(lamp, at); }
+// How much a wire covers of a pixel: it fades over its last half pixel.
+float wireCover(float facing, float pixels) { return clamp((1.0 - sqrt(1.0 - facing * facing)) * pixels, 0.0, 1.0); }
+)";
+}
+
 const char* const kRigidVertex = R"(
 layout(location = 0) in vec3 aPosition;
 layout(location = 1) in vec3 aNormal;
@@ -98,12 +124,12 @@ void main() {
 
 const char* const kDepthFragment = "void main() {}";
 
-// Multiplies what the backdrop shows; a shadow leaves 0.56 of the square root, 0.31 of the light.
+// Multiplies what the backdrop shows.
 const char* const kFieldFragment = R"(
 in vec3 vShadow;
 uniform sampler2DShadow uShadow;
 out vec4 color;
-void main() { color = vec4(vec3(0.56 + 0.44 * texture(uShadow, vShadow)), 1.0); }
+void main() { color = vec4(vec3(shadowed(uShadow, vShadow)), 1.0); }
 )";
 
 const char* const kFieldBareFragment = R"(
@@ -126,13 +152,12 @@ void main() {
   // Brushed across the shaft, which blurs reflections along it. Two waves that never meet: a texture would cost five times that.
   float streak = 0.35 * (abs(fract(vUv.y * 741.0) - 0.5) + abs(fract(vUv.y * 1313.0 + 2.0 * vUv.x) - 0.5) - 0.5);
   n = normalize(n + streak * vec3(0.035, 0.05, 0.035));
-  vec3 r = reflect(-v, n) + vec3(0.0, 0.0, 1.0);
-  vec3 seen = texture(uReflection, 0.5 + 0.5 * r.xy * inversesqrt(dot(r, r))).rgb;
+  vec3 seen = mirrored(uReflection, n, v);
   float lit = texture(uShadow, vShadow);
   float edge = 1.0 - clamp(dot(n, v), 0.0, 1.0);
   vec3 steel = vColor.rgb * vColor.rgb;
   steel += (1.0 - steel) * edge * edge * edge * 0.6;
-  vec3 c = steel * (4.0 * seen * seen * (0.5 + 0.5 * lit) + 0.10 * lit * max(dot(n, kLamp), 0.0) + 0.03) * (1.0 + 0.25 * streak);
+  vec3 c = steel * (4.0 * seen * (0.5 + 0.5 * lit) + 0.10 * lit * max(dot(n, kLamp), 0.0) + 0.03) * (1.0 + 0.25 * streak);
   color = vec4(sqrt(c), 1.0);
 })";
 
@@ -147,11 +172,10 @@ out vec4 color;
 void main() {
   vec3 n = normalize(vNormal), v = normalize(uEye - vPosition);
   float facing = clamp(dot(n, v), 0.0, 1.0);
-  vec3 r = reflect(-v, n) + vec3(0.0, 0.0, 1.0);
-  vec3 seen = texture(uReflection, 0.5 + 0.5 * r.xy * inversesqrt(dot(r, r))).rgb;
+  vec3 seen = mirrored(uReflection, n, v);
   float lit = texture(uShadow, vShadow);
-  vec3 c = vec3(0.86, 0.88, 0.90) * (4.0 * seen * seen * (0.5 + 0.5 * lit) + 0.08);
-  color = vec4(sqrt(c), clamp((1.0 - sqrt(1.0 - facing * facing)) * vPixels, 0.0, 1.0));
+  vec3 c = vec3(0.86, 0.88, 0.90) * (4.0 * seen * (0.5 + 0.5 * lit) + 0.08);
+  color = vec4(sqrt(c), wireCover(facing, vPixels));
 })";
 
 const char* const kThreadFragment = R"(
@@ -175,7 +199,7 @@ void main() {
   vec3 h = normalize(v + kLamp);
   float s = clamp(dot(n, h), 0.0, 1.0); s *= s; s *= s; s *= s; s *= s;
   vec3 c = base * (0.30 + 1.15 * diffuse * (0.25 + 0.75 * lit)) + 0.28 * lit * s * (0.5 + 0.5 * ply);
-  color = vec4(sqrt(c), clamp((1.0 - sqrt(1.0 - facing * facing)) * vPixels, 0.0, 1.0));
+  color = vec4(sqrt(c), wireCover(facing, vPixels));
 })";
 
 const char* const kTissueFragment = R"(
@@ -190,22 +214,16 @@ out vec4 color;
 void main() {
   vec4 detail = texture(uSurface, vUv);
   vec3 n = normalize(vNormal), v = normalize(uEye - vPosition);
-  // Bumps from screen derivatives (Mikkelsen 2010): no tangents to follow the tissue.
-  vec3 px = dFdx(vPosition), py = dFdy(vPosition);
   float height = detail.b * vSurface.g * 0.0011;
-  vec3 rx = cross(py, n), ry = cross(n, px);
-  float det = dot(px, rx);
-  vec3 slope = sign(det) * (dFdx(height) * rx + dFdy(height) * ry);
-  vec3 film = normalize(abs(det) * n - 0.55 * slope);       // fluid fills the finest dents: broad, wet lights
-  n = normalize(abs(det) * n - slope);
+  vec3 film = bumped(n, vPosition, height, 0.55);           // fluid fills the finest dents: broad, wet lights
+  n = bumped(n, vPosition, height, 1.0);
 
   float lit = texture(uShadow, vShadow);
   vec3 albedo = vColor.rgb * (0.80 + 0.40 * detail.r);
   albedo = mix(albedo, vec3(0.34, 0.022, 0.030), detail.g * vSurface.r);
   float sky = vColor.a;
-  float towards = dot(n, kLamp);
   vec3 wrap = vec3(0.42, 0.22, 0.18);                       // red light scatters furthest in the wall
-  vec3 direct = clamp((towards + wrap) / (1.0 + wrap), 0.0, 1.0) * mix(vec3(0.20, 0.07, 0.06), vec3(1.0), lit);
+  vec3 direct = wrapped(dot(n, kLamp), wrap) * mix(vec3(0.20, 0.07, 0.06), vec3(1.0), lit);
   float facing = clamp(dot(n, v), 0.0, 1.0);
   vec3 ambient = mix(vec3(0.17, 0.13, 0.13), vec3(0.34, 0.34, 0.36), 0.5 + 0.5 * n.z);
   ambient += 0.24 * facing * facing;                        // the surgeon's headlight: it throws no shadow that the eye could see
@@ -218,9 +236,7 @@ void main() {
   s = broad * broad; s *= s; s *= s;                        // power 128
   float back = clamp(dot(film, v), 0.0, 1.0);
   back *= back; back *= back; back *= back; back *= back; back *= back; back *= back;   // power 64: the headlight's glints
-  vec3 r = reflect(-v, film) + vec3(0.0, 0.0, 1.0);
-  vec3 seen = texture(uReflection, 0.5 + 0.5 * r.xy * inversesqrt(dot(r, r))).rgb;
-  seen *= seen;                                             // lamps are far brighter than walls: the square keeps them so
+  vec3 seen = mirrored(uReflection, film, v);
   c += gloss * ((1.9 * s + 0.13 * broad) * lit + 0.55 * back * sky + ((0.10 + 0.45 * grazing) * seen + 2.2 * seen * seen) * sky * (0.35 + 0.65 * lit));
   color = vec4(sqrt(c), 1.0);
 })";

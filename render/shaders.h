@@ -18,7 +18,9 @@ extern const char* const kThreadFragment;
 extern const char* const kNeedleFragment;
 extern const char* const kHoleFragment;
 
-/// Common head of every shader: version and the lamp's direction as a constant.
+/// Head of a vertex shader: version and the lamp's direction as a constant.
 std::string shaderHead();
+/// Head of a fragment shader: that, and the functions that surfaces share. They use screen derivatives, which vertices have not.
+std::string fragmentHead();
 
 }  // namespace halsted::render

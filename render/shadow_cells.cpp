@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/light.h"
-
 namespace halsted::render {
 namespace {
 
@@ -19,14 +17,13 @@ int cellAt(double x) {                                   // [m]
 }  // namespace
 
 ShadowCells::ShadowCells(const Shape& ground)
-    : first_(Vec3::UnitX().cross(lightDirection()).normalized()), second_(lightDirection().cross(first_)), triangles_(ground.indices),
-      mask_(static_cast<std::size_t>(kMaskCells) * kMaskCells) {
+    : triangles_(ground.indices), mask_(static_cast<std::size_t>(kMaskCells) * kMaskCells) {
   indices_.reserve(triangles_.size());
   for (std::size_t i = 0; i + 5 < triangles_.size(); i += 6) {
-    Vec3 low = Vec3::Constant(1e9), high = -low;         // [m]
+    Eigen::Vector2d low = Eigen::Vector2d::Constant(1e9), high = -low;   // [m]
     for (std::size_t k = i; k < i + 6; ++k) {
       const float* p = ground.vertices[triangles_[k]].position;       // [m]
-      const Vec3 at = alongLight(Vec3(p[0], p[1], p[2]));
+      const Eigen::Vector2d at = plane_.at(Vec3(p[0], p[1], p[2]));
       low = low.cwiseMin(at);
       high = high.cwiseMax(at);
     }
@@ -34,15 +31,13 @@ ShadowCells::ShadowCells(const Shape& ground)
   }
 }
 
-Vec3 ShadowCells::alongLight(const Vec3& p) const { return Vec3(p.dot(first_), p.dot(second_), 0.0); }
-
-ShadowCells::Box ShadowCells::boxOf(const Vec3& low, const Vec3& high) {
+ShadowCells::Box ShadowCells::boxOf(const Eigen::Vector2d& low, const Eigen::Vector2d& high) {
   return {cellAt(low.x()), cellAt(low.y()), cellAt(high.x()), cellAt(high.y())};
 }
 
 void ShadowCells::clear() { std::fill(mask_.begin(), mask_.end(), std::uint8_t{0}); }
 
-void ShadowCells::mark(const Vec3& low, const Vec3& high) {
+void ShadowCells::mark(const Eigen::Vector2d& low, const Eigen::Vector2d& high) {
   const bool inside = low.x() > -kMaskHalf && low.y() > -kMaskHalf && high.x() < kMaskHalf && high.y() < kMaskHalf;
   if (!inside) return;                                   // far off, or not a number
   const Box box = boxOf(low, high);
@@ -51,23 +46,23 @@ void ShadowCells::mark(const Vec3& low, const Vec3& high) {
 }
 
 void ShadowCells::add(const Vec3& caster, double radius) {
-  const Vec3 at = alongLight(caster), reach = Vec3::Constant(radius + kSoft);  // [m]
+  const Eigen::Vector2d at = plane_.at(caster), reach = Eigen::Vector2d::Constant(radius + kSoft);   // [m]
   mark(at - reach, at + reach);
 }
 
 void ShadowCells::add(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 p = alongLight(a), q = alongLight(b), r = alongLight(c), soft = Vec3::Constant(kSoft);   // [m]
+  const Eigen::Vector2d p = plane_.at(a), q = plane_.at(b), r = plane_.at(c), soft(kSoft, kSoft);      // [m]
   mark(p.cwiseMin(q).cwiseMin(r) - soft, p.cwiseMax(q).cwiseMax(r) + soft);
 }
 
 void ShadowCells::add(const std::vector<Vec3>& corners, const Eigen::Matrix4d& stand) {
   const Mat3 turn = stand.topLeftCorner<3, 3>();                               // [1]
-  const Vec3 u = turn.transpose() * first_, v = turn.transpose() * second_;    // [1] across the light, as the thing sees it
-  const Vec3 origin = alongLight(stand.topRightCorner<3, 1>()), soft(kSoft, kSoft, 0.0);   // [m]
+  const Vec3 u = turn.transpose() * plane_.first, v = turn.transpose() * plane_.second;    // [1] across the light, as the thing sees it
+  const Eigen::Vector2d origin = plane_.at(stand.topRightCorner<3, 1>()), soft(kSoft, kSoft);   // [m]
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-    Vec3 low = Vec3::Constant(1e9), high = -low;         // [m]
+    Eigen::Vector2d low = Eigen::Vector2d::Constant(1e9), high = -low;   // [m]
     for (std::size_t k = i; k < i + 3; ++k) {
-      const Vec3 at = origin + Vec3(corners[k].dot(u), corners[k].dot(v), 0.0);
+      const Eigen::Vector2d at = origin + Eigen::Vector2d(corners[k].dot(u), corners[k].dot(v));
       low = low.cwiseMin(at);
       high = high.cwiseMax(at);
     }

@@ -2,6 +2,7 @@
 /// Which patches of the ground the lamp's shadows may fall on: only these are shaded again each frame.
 /// Seen along the light the ground and what casts shadows lie in one plane; a patch is drawn when a caster covers any of it there.
 /// Never allocates after construction.
+#include "render/light.h"
 #include "render/shape.h"
 
 namespace halsted::render {
@@ -18,12 +19,11 @@ class ShadowCells {
 
  private:
   struct Box { int u0, v0, u1, v1; };                                 // inclusive cells of the mask
-  static Box boxOf(const Vec3& low, const Vec3& high);                // [m]
-  Vec3 alongLight(const Vec3& p) const;                               // [m] (u, v, 0)
-  void mark(const Vec3& low, const Vec3& high);                       // [m]
+  static Box boxOf(const Eigen::Vector2d& low, const Eigen::Vector2d& high);   // [m] in the plane across the light
+  void mark(const Eigen::Vector2d& low, const Eigen::Vector2d& high);          // [m]
   bool covered(const Box&) const;
 
-  Vec3 first_, second_;                                               // [1] across the light
+  LampPlane plane_;
   std::vector<std::uint32_t> triangles_, indices_;
   std::vector<Box> patches_;
   std::vector<std::uint8_t> mask_;

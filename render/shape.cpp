@@ -6,6 +6,8 @@
 #include <map>
 #include <numbers>
 
+#include "render/color.h"
+
 namespace halsted::render {
 namespace {
 
@@ -54,8 +56,6 @@ class VertexPool {
   std::map<ShapeVertex, std::uint32_t, ByBits> known_;
 };
 
-std::uint8_t encode(double linear) { return static_cast<std::uint8_t>(std::lround(255.0 * std::sqrt(std::clamp(linear, 0.0, 1.0)))); }
-
 }  // namespace
 
 void addLoft(Shape& shape, const Loft& loft) {
@@ -81,7 +81,7 @@ void addLoft(Shape& shape, const Loft& loft) {
       for (int k = 0; k < 3; ++k) {
         vertex.position[k] = static_cast<float>(c.points[v][k]);
         vertex.normal[k] = static_cast<float>(n[k]);
-        vertex.color[k] = encode(color[k]);
+        vertex.color[k] = rootByteOf(color[k]);
       }
       vertex.uv[0] = static_cast<float>(side) / static_cast<float>(loft.sides);
       vertex.uv[1] = static_cast<float>(c.points[v].z());

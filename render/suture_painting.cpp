@@ -4,11 +4,12 @@
 
 #include "render/camera.h"
 #include "render/canvas.h"
+#include "render/discs.h"
 #include "render/gpu_mesh.h"
-#include "render/holes.h"
 #include "render/instruments.h"
 #include "render/operating_field.h"
 #include "render/painting.h"
+#include "render/program.h"
 #include "render/shaders.h"
 #include "render/shadow_cells.h"
 #include "render/shadow_map.h"
@@ -19,9 +20,9 @@ namespace {
 
 constexpr std::size_t kTriangleBudget = 16000;           // tuned: twice as many cost 3 ms a frame and show no finer outline
 constexpr int kShadowSize = 1024;                        // texels
+constexpr double kHoleRadius = 0.62e-3;                  // [m] a 0.66 mm needle leaves a hole with a bruised edge
+constexpr double kHoleLift = 0.45e-3;                    // [m] toward the eye, so that the drawn wall does not hide it
 constexpr float kThreadTint[3] = {0.22f, 0.085f, 0.40f}; // linear [1]; violet, as dyed braided suture is
-
-Program programOf(const char* vertex, const char* fragment) { return makeProgram(shaderHead() + vertex, shaderHead() + fragment); }
 
 FieldPlace placeOf(const RenderScene& scene) {
   FieldPlace place;
@@ -42,12 +43,11 @@ struct SuturePainting final : Painting {
   Canvas backdrop;                                        // backdrop: the field without shadows, as `backdropView` sees it
   CameraView backdropView;
   bool backdropDrawn = false;
-  FieldPlace place;
   std::unique_ptr<ShadowCells> shadowCells;
   std::vector<std::array<int, 3>> casters;                // triangles of particles
   std::vector<CapsuleShape> rodsAsLines;
   double needleReach;                                     // [m] from the middle of its arc
-  Buffer shadowIndices = makeBuffer();
+  Buffer shadowIndices;
   Program field = programOf(kRigidVertex, kFieldFragment), fieldBare = programOf(kRigidVertex, kFieldBareFragment);
   Program steel = programOf(kRigidVertex, kSteelFragment);
   Program tissueLook = programOf(kTissueVertex, kTissueFragment), threadLook = programOf(kTubeVertex, kThreadFragment);
@@ -61,38 +61,38 @@ struct SuturePainting final : Painting {
   Tube threadTube;
   GpuMesh thread, needle;
   GpuIndices threadShadow;
-  Holes holes;
+  Discs holes;
   std::array<Instrument, kHands> instruments;
   std::array<std::array<GpuMesh, 2>, kHands> instrumentMeshes;
   std::array<std::array<std::vector<Vec3>, 2>, kHands> instrumentShadows;   // [m]
-  Matrix4 lamp, lampTexture;
+  Matrix4 lamp;
   double lampDepth;                                       // [m] that the shadow map covers
   double threadRadius;                                    // [m]
   std::size_t particles, threadNodes;
   void drawInstruments(const RenderSnapshot&, const Program&) const;
   void drawShadows(const RenderSnapshot&) const;
-  void drawBackdrop(const CameraView&, const Matrix4& view);
+  void layHoles(const RenderSnapshot&, const CameraView&);
+  void drawBackdrop(const CameraView&, const View&);
   void markShadows(const RenderSnapshot&);
-  void drawFieldShadows(const RenderSnapshot&, const CameraView&, const Matrix4& view);
-  void drawWires(const RenderSnapshot&, const CameraView&, const Matrix4& view) const;
+  void drawFieldShadows(const RenderSnapshot&, const View&);
+  void drawWires(const RenderSnapshot&, const View&) const;
   void drawPicture(const RenderSnapshot&, const CameraView&);
-  void use(const Program&, const Matrix4& view, const CameraView&) const;
   bool hasTissue(const RenderSnapshot& s) const { return particles > 0 && s.tissue.size() == particles; }
   bool hasThread(const RenderSnapshot& s) const { return threadNodes >= 2 && s.thread.size() == threadNodes; }
 };
 
 SuturePainting::SuturePainting(const RenderScene& scene, const Canvas& canvas)
-    : picture(canvas), backdrop(canvas.width(), canvas.height()), place(placeOf(scene)), casters(scene.surface), rodsAsLines(scene.rods),
+    : picture(canvas), backdrop(canvas.width(), canvas.height()), casters(scene.surface), rodsAsLines(scene.rods),
       needleReach(scene.needle.radius + scene.needle.wireRadius), tissue(scene, kTriangleBudget), threadTube(makeThread(scene.threadNodes)),
       thread(uploadTube(threadTube)), needle(uploadTube(makeNeedle(scene.needle))),
       threadShadow(uploadOtherIndices(threadShadowIndices(scene.threadNodes))), holes(scene.maxPunctures),
       threadRadius(scene.threadRadius), particles(scene.tissueRest.size()),
       threadNodes(static_cast<std::size_t>(std::max(scene.threadNodes, 0))) {
-  const OperatingField drapes = makeOperatingField(place, std::clamp(2 * canvas.height(), 256, 1536));
+  const FieldPlace wound = placeOf(scene);
+  const OperatingField drapes = makeOperatingField(wound, std::clamp(2 * canvas.height(), 256, 1536));
   ground = uploadShape(drapes.shape);
   shadowCells = std::make_unique<ShadowCells>(drapes.shape);
-  glBindBuffer(GL_ARRAY_BUFFER, shadowIndices);          // not as indices yet: that would enter the bound vertex array
-  glBufferData(GL_ARRAY_BUFFER, ground.count * static_cast<GLsizeiptr>(sizeof(std::uint32_t)), nullptr, GL_STREAM_DRAW);
+  shadowIndices = makeIndexRoom(drapes.shape.indices.size());
   fieldImage = uploadImage(drapes.picture, Sampling::kOneLevel);
   tissueImage = uploadImage(makeTissueImage(512), Sampling::kTiles);
   reflection = uploadImage(makeReflectionImage(256), Sampling::kNearest);
@@ -106,11 +106,10 @@ SuturePainting::SuturePainting(const RenderScene& scene, const Canvas& canvas)
       instrumentShadows[hand][half] = shadowTriangles(instruments[hand].halves[half]);
     }
   }
-  const Vec3 middle = 0.5 * (place.centre + Vec3(place.centre.x(), place.centre.y(), 0.0));   // [m] between skin and rim
-  const double lampRadius = std::max(0.085, 4.0 * place.radius);   // [m]
+  const Vec3 middle = 0.5 * (wound.centre + Vec3(wound.centre.x(), wound.centre.y(), 0.0));   // [m] between skin and rim
+  const double lampRadius = std::max(0.085, 4.0 * wound.radius);   // [m]
   lampDepth = 4.0 * lampRadius;
   lamp = lampProjection(middle, lampRadius);
-  lampTexture = toTexture(lamp);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);                                 // shadows are drawn over the backdrop at the same depth
   glEnable(GL_CULL_FACE);
@@ -120,60 +119,51 @@ void SuturePainting::drawInstruments(const RenderSnapshot& snapshot, const Progr
   for (int hand = 0; hand < kHands; ++hand)
     for (int half = 0; half < 2; ++half) {
       const ToolView& tool = snapshot.tools[hand];
-      const Matrix4 stand = matrixOf(halfPose(instruments[hand], half, tool.jaw, tool.pose));
-      glUniformMatrix4fv(program.model, 1, GL_FALSE, stand.data());
+      place(program, halfPose(instruments[hand], half, tool.jaw, tool.pose));
       instrumentMeshes[hand][half].draw();
     }
 }
 
-void SuturePainting::use(const Program& program, const Matrix4& view, const CameraView& camera) const {
-  glUseProgram(program.id);
-  const Eigen::Vector3f eye = camera.eye.cast<float>();
-  const Matrix4 still = Matrix4::Identity();
-  glUniformMatrix4fv(program.model, 1, GL_FALSE, still.data());
-  glUniformMatrix4fv(program.viewProjection, 1, GL_FALSE, view.data());
-  glUniformMatrix4fv(program.shadowMatrix, 1, GL_FALSE, lampTexture.data());
-  glUniform3fv(program.eye, 1, eye.data());
-  glUniform3fv(program.tint, 1, kThreadTint);
-  glUniform1f(program.pixelSize, static_cast<float>(pixelSize(camera, picture.height())));
+void SuturePainting::layHoles(const RenderSnapshot& snapshot, const CameraView& camera) {
+  const int count = std::min(snapshot.punctureCount, static_cast<int>(snapshot.punctures.size()));
+  holes.clear();
+  for (int i = 0; i < count; ++i) {
+    const Vec3 toEye = (camera.eye - snapshot.punctures[i]).normalized(), side = camera.up.cross(toEye).normalized();
+    holes.add({snapshot.punctures[i] + kHoleLift * toEye, side, toEye.cross(side)}, kHoleRadius);
+  }
 }
 
 void SuturePainting::drawShadows(const RenderSnapshot& snapshot) const {
-  CameraView none;
+  const View view = lampView(lamp);
   shadow.begin();
-  use(rigidDepth, lamp, none);
+  use(rigidDepth, view);
   if (hasTissue(snapshot)) {
     shadow.setBack(0.35e-3 / lampDepth);                              // [m] the drawn wall is that much finer than what casts its shadow
     tissue.drawCoarse();
     shadow.setBack(0.0);
   }
   rods.draw();
-  use(instrumentDepth, lamp, none);
+  use(instrumentDepth, view);
   drawInstruments(snapshot, instrumentDepth);
-  use(tubeDepth, lamp, none);
-  glUniform1f(tubeDepth.pixelSize, 0.0f);
+  use(tubeDepth, view);
   if (hasThread(snapshot)) thread.drawAs(threadShadow);
-  glUniformMatrix4fv(tubeDepth.model, 1, GL_FALSE, matrixOf(snapshot.needle).data());
+  place(tubeDepth, snapshot.needle);
   needle.draw();
   shadow.end();
 }
 
-void bindTexture(TextureUnit unit, const Texture& texture) {
-  glActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(GL_TEXTURE_2D, texture);
-}
 bool sameView(const CameraView& a, const CameraView& b) {
   return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fovDegrees == b.fovDegrees;
 }
 
 /// Only when the eye has moved: the field fills the frame, and shading it afresh would take half of the frame's time.
-void SuturePainting::drawBackdrop(const CameraView& camera, const Matrix4& view) {
+void SuturePainting::drawBackdrop(const CameraView& camera, const View& view) {
   if (backdropDrawn && sameView(camera, backdropView)) return;
   backdrop.bind();
   glClearColor(0.02f, 0.01f, 0.01f, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   bindTexture(kSurfaceUnit, fieldImage);
-  use(fieldBare, view, camera);
+  use(fieldBare, view);
   ground.draw();
   backdropView = camera;
   backdropDrawn = true;
@@ -195,49 +185,46 @@ void SuturePainting::markShadows(const RenderSnapshot& snapshot) {
     }
 }
 
-void SuturePainting::drawFieldShadows(const RenderSnapshot& snapshot, const CameraView& camera, const Matrix4& view) {
+void SuturePainting::drawFieldShadows(const RenderSnapshot& snapshot, const View& view) {
   markShadows(snapshot);
-  use(field, view, camera);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_DST_COLOR, GL_ZERO);
+  use(field, view);
+  const Blending darken(Blending::kDarken);
   ground.drawOnly(shadowCells->indices(), shadowIndices);
-  glDisable(GL_BLEND);
 }
 
 /// Wires fade over their last half pixel, which stands in for multisampling; they need what is behind them.
-void SuturePainting::drawWires(const RenderSnapshot& snapshot, const CameraView& camera, const Matrix4& view) const {
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  use(holeLook, view, camera);
+void SuturePainting::drawWires(const RenderSnapshot& snapshot, const View& view) const {
+  const Blending over(Blending::kOver);
+  use(holeLook, view);
   glDepthMask(GL_FALSE);
   holes.draw();
   glDepthMask(GL_TRUE);
-  use(needleLook, view, camera);
-  glUniformMatrix4fv(needleLook.model, 1, GL_FALSE, matrixOf(snapshot.needle).data());
+  use(needleLook, view);
+  place(needleLook, snapshot.needle);
   needle.draw();
-  use(threadLook, view, camera);
+  use(threadLook, view);
+  glUniform3fv(threadLook.tint, 1, kThreadTint);
   if (hasThread(snapshot)) thread.draw();
-  glDisable(GL_BLEND);
 }
 
 void SuturePainting::drawPicture(const RenderSnapshot& snapshot, const CameraView& camera) {
-  const Matrix4 view = viewProjection(camera, static_cast<double>(picture.width()) / picture.height());
+  const View view = eyeView(camera, picture.width(), picture.height(), lamp);
   bindTexture(kReflectionUnit, reflection);
   drawBackdrop(camera, view);
   picture.copyFrom(backdrop);
   picture.bind();
 
   // Near things first: what they hide is not shaded.
-  use(steel, view, camera);
+  use(steel, view);
   rods.draw();
   drawInstruments(snapshot, steel);
   bindTexture(kSurfaceUnit, tissueImage);
-  use(tissueLook, view, camera);
+  use(tissueLook, view);
   const double open = std::sqrt(std::clamp(snapshot.openingArea / std::max(tissue.openingAtRest(), 1e-9), 0.0, 1.0));   // [1]
   glUniform1f(tissueLook.open, static_cast<float>(open));
   if (hasTissue(snapshot)) tissue.draw();
-  drawFieldShadows(snapshot, camera, view);
-  drawWires(snapshot, camera, view);
+  drawFieldShadows(snapshot, view);
+  drawWires(snapshot, view);
 }
 
 void SuturePainting::draw(const RenderSnapshot& snapshot, const CameraView& camera, bool) {
@@ -246,7 +233,7 @@ void SuturePainting::draw(const RenderSnapshot& snapshot, const CameraView& came
     updateThread(snapshot.thread, snapshot.twist, threadRadius, threadTube);
     thread.stream(threadTube.vertices.data(), threadTube.vertices.size() * sizeof(TubeVertex));
   }
-  holes.update(snapshot.punctures, snapshot.punctureCount, camera.eye, camera.up);
+  layHoles(snapshot, camera);
   drawShadows(snapshot);
   drawPicture(snapshot, camera);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/color.h"
 #include "render/light.h"
 #include "render/noise.h"
 #include "sim/types.h"
@@ -13,8 +14,6 @@ namespace halsted::render {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;   // [rad]
-
-std::uint8_t byte(double x) { return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(x, 0.0, 1.0))); }   // [1]
 
 struct Field {                                // one channel, tiling
   int size = 0;
@@ -36,8 +35,8 @@ void stamp(Field& field, double x, double y, double width) {       // pixels
 struct Vessel { double x, y, heading, width; int depth; };          // pixels, pixels, [rad], pixels
 
 /// A vessel wanders, thins out and sends branches to both sides, as the vasa recta do on the colon.
-void grow(Field& field, Vessel v, unsigned& seed) {
-  const auto chance = [&] { seed = seed * 1664525u + 1013904223u; return (seed >> 8) / 16777216.0; };   // [1]
+void grow(Field& field, Vessel v, std::uint32_t& seed) {
+  const auto chance = [&] { return nextRandom(seed); };                                // [1]
   const int steps = static_cast<int>((v.depth == 0 ? 0.85 : 0.30 / v.depth) * field.size * (0.6 + 0.8 * chance()));
   for (int s = 0; s < steps; ++s) {
     stamp(field, v.x, v.y, v.width);
@@ -52,24 +51,11 @@ void grow(Field& field, Vessel v, unsigned& seed) {
 
 Field makeVessels(int size) {
   Field field{size, std::vector<double>(static_cast<std::size_t>(size) * size, 0.0)};
-  unsigned seed = 20;
+  std::uint32_t seed = 20;
   for (int k = 0; k < 7; ++k)
     grow(field, {0.13 * size * k, (0.143 * k + 0.07) * size, (k % 2 ? 0.5 : 0.0) * kTurn + 0.2, 2.6 - 0.2 * k, 0}, seed);
   return field;
 }
-
-template <typename Pixel>
-Image fill(int size, Pixel pixel) {
-  Image image{size, size, std::vector<std::uint8_t>(4u * size * size)};
-  for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x) {
-      const std::array<double, 4> c = pixel(x, y);                                    // [1]
-      for (int k = 0; k < 4; ++k) image.rgba[4u * (static_cast<std::size_t>(y) * size + x) + k] = byte(c[k]);
-    }
-  return image;
-}
-
-Vec3 mixed(const Vec3& a, const Vec3& b, double t) { return (1.0 - t) * a + t * b; }   // [1]
 
 double bulge(double x) { return std::abs(std::sin(0.5 * kTurn * x)); }                 // [1]
 
@@ -98,7 +84,7 @@ Vec3 theatre(const Vec3& d) {                                                   
 Image makeTissueImage(int size) {
   Field vessels = makeVessels(size);
   NoiseWalk mottles(5, 8), grains(3, 24), folds(3, 8), films(3, 16);
-  return fill(size, [&](int x, int y) -> std::array<double, 4> {
+  return bake(size, [&](int x, int y) -> std::array<double, 4> {
     const double u = 8.0 * x / size, v = 8.0 * y / size;                               // [1]
     const double mottle = mottles.at(u, v, 0.0);                               // [1]
     const double cells = grains.at(3 * u, 3 * v, 9.0);                       // [1]
@@ -109,7 +95,7 @@ Image makeTissueImage(int size) {
 }
 
 Image makeReflectionImage(int size) {
-  return fill(size, [&](int x, int y) -> std::array<double, 4> {
+  return bake(size, [&](int x, int y) -> std::array<double, 4> {
     const double u = 2.0 * (x + 0.5) / size - 1.0, v = 2.0 * (y + 0.5) / size - 1.0;       // [1] sphere map: n = (u, v, n_z)
     const double r2 = std::min(u * u + v * v, 0.999);                                      // [1]
     const double nz = std::sqrt(1.0 - r2);                                                 // [1]

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/color.h"
 #include "render/noise.h"
 
 namespace halsted::render {
@@ -41,8 +42,6 @@ RestShape restShape(const RenderScene& scene) {
   return r;
 }
 
-Vec3 mixed(const Vec3& a, const Vec3& b, double t) { return (1.0 - t) * a + t * b; }   // [1]
-
 struct Shading { Vec3 color; double sky, vessels, bumps, gloss; };                     // all [1]
 
 Shading serosa(const Vec3& p, double turn, const RestShape& rest) {                    // [m], [1]
@@ -72,15 +71,13 @@ Shading cutEdge(const Vec3& p) {
   return {mixed(Vec3(0.74, 0.42, 0.33), Vec3(0.45, 0.045, 0.035), 0.9 * blood), 0.95, 0.35, 0.55, 0.85};
 }
 
-std::uint8_t byte(double x) { return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(x, 0.0, 1.0))); }   // [1]
-
 Look lookOf(const SkinCorner& corner, const Vec3& rest, const RestShape& shape) {      // [m]
   const Shading s = corner.layer == kMucosa ? mucosa(rest, shape) : corner.layer == kCut ? cutEdge(rest) : serosa(rest, corner.uv[0], shape);
   float u = 3.0f * corner.uv[0], v = static_cast<float>(corner.uv[1] / kTile);         // [1]
   if (corner.layer == kCut) { u = static_cast<float>(rest.x() / kTile); v = static_cast<float>(rest.y() / kTile); }   // seen end on
   return {{u, v},
-          {byte(std::sqrt(s.color.x())), byte(std::sqrt(s.color.y())), byte(std::sqrt(s.color.z())), byte(s.sky)},
-          {byte(s.vessels), byte(s.bumps), byte(s.gloss), byte(corner.layer == kMucosa)}};
+          {rootByteOf(s.color.x()), rootByteOf(s.color.y()), rootByteOf(s.color.z()), byteOf(s.sky)},
+          {byteOf(s.vessels), byteOf(s.bumps), byteOf(s.gloss), byteOf(corner.layer == kMucosa)}};
 }
 
 }  // namespace

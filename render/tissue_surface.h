@@ -13,7 +13,6 @@ class TissueSurface {
   void draw() const { mesh_.draw(); }
   void drawCoarse() const { coarse_.draw(); }   // the particles themselves: what a shadow needs
   double openingAtRest() const { return openingAtRest_; }   // [m^2] of the lumen at the rim
-  std::size_t triangles() const { return skin_.triangles.size(); }
 
  private:
   Skin skin_;

@@ -10,17 +10,17 @@ namespace {
 constexpr int kPerSegment = 3;               // drawn pieces between two nodes
 constexpr double kTurn = 2.0 * std::numbers::pi;   // [rad]
 
-Vec3 anyAcross(const Vec3& direction) {
-  const Vec3 other = std::abs(direction.y()) < 0.9 ? Vec3::UnitY() : Vec3::UnitX();
-  return direction.cross(other).normalized();
-}
-
 /// Catmull and Rom 1974, uniform, tension one half: passes through p1 at t = 0 and p2 at t = 1.
 Vec3 spline(const Vec3& p0, const Vec3& p1, const Vec3& p2, const Vec3& p3, double t) {   // [m], t [1]
   return 0.5 * (2.0 * p1 + t * ((p2 - p0) + t * ((2.0 * p0 - 5.0 * p1 + 4.0 * p2 - p3) + t * (3.0 * (p1 - p2) + p3 - p0))));
 }
 
 }  // namespace
+
+Vec3 anyAcross(const Vec3& direction) {
+  const Vec3 other = std::abs(direction.y()) < 0.9 ? Vec3::UnitY() : Vec3::UnitX();
+  return direction.cross(other).normalized();
+}
 
 void makeIndices(int rings, Tube& tube) {
   constexpr int kRow = Tube::kSides + 1;

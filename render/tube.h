@@ -18,6 +18,9 @@ struct Tube {
   std::vector<std::uint32_t> indices;
 };
 
+/// A unit vector at a right angle to this one.
+Vec3 anyAcross(const Vec3& direction);
+
 struct RingFrame {
   Vec3 centre, first, second;                // [m], [1] two unit directions across the wire
   double radius = 0.0, along = 0.0, twist = 0.0;   // [m], [m], [rad]

@@ -2,25 +2,14 @@
 
 #include <cmath>
 
-#include "scenes/portable_math.h"
 #include "sim/contact/surface.h"
+#include "sim/portable_math.h"
 #include "sim/strand/strand_model.h"
 
 namespace halsted::scenes {
 namespace {
 
 constexpr double kClockwiseStep = 0.25;        // [deg] when walking along the rim to the exit
-
-/// Arc sine by Newton on the portable sine; |x| < 1.
-double arcSine(double x) {
-  double a = x;                                // [rad]
-  for (int i = 0; i < 30; ++i) {
-    const double c = cosine(a);
-    if (c < 1e-6) break;
-    a -= (sine(a) - x) / c;
-  }
-  return a;
-}
 
 struct Hit { TissuePlace place; double reach = -1.0; };   // [m] from the axis of the opening
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "scenes/expert_state.h"
-#include "scenes/portable_math.h"
+#include "sim/portable_math.h"
 #include "sim/suture/holes.h"
 
 namespace halsted::scenes {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "scenes/expert_state.h"
-#include "scenes/portable_math.h"
+#include "sim/portable_math.h"
 
 namespace halsted::scenes {
 namespace {

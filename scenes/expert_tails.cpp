@@ -15,6 +15,7 @@ constexpr double kLowest = -0.06, kDeepest = -0.02;            // [m] y and z: l
 constexpr double kSamePlace = 0.015;           // [m] along the thread
 constexpr double kTightenSpeed = 0.015;        // [m/s]
 constexpr double kTightenReach = 0.09;         // [m] as far as the arms go apart
+constexpr double kMostGiven = 0.02;            // [m] a tail that was taken too tight is let back
 constexpr double kFeel = 0.5;                  // [N] short of the tension at which a hand slows down
 constexpr double kFeelTime = 0.2;              // [s] thread that catches and slips is felt as its mean
 constexpr double kTight = 0.3;                 // [1] of the speed: nothing comes any more
@@ -126,7 +127,7 @@ bool runTighten(const Scene& s, std::string&) {
     e.felt[h] += s.dt / kFeelTime * (s.state.tools[h].threadForce.norm() - e.felt[h]);
     const double slack = (s.action.tension - e.felt[h]) / kFeel;                                 // [1]
     const double pace = closed || e.drawn[h] >= kTightenReach ? std::fmin(0.0, slack) : std::fmin(1.0, slack);
-    e.drawn[h] = std::fmax(0.0, e.drawn[h] + std::fmax(-1.0, pace) * kTightenSpeed * s.dt);
+    e.drawn[h] = std::fmax(-kMostGiven, e.drawn[h] + std::fmax(-1.0, pace) * kTightenSpeed * s.dt);
     fastest = std::fmax(fastest, pace);
     exhausted = exhausted || e.drawn[h] >= kTightenReach;
     const double side = h == kLeft ? -1.0 : 1.0;                                                 // [1]

@@ -1,33 +1,29 @@
-/// The instrument tie. The left hand holds the long end and winds it round the driver's closed jaws; the driver opens, takes the short
-/// tail, closes and draws it back through the loop; both ends are drawn apart, the long end toward the tail's side. The next throw is
-/// wound from there, the other way round for a square knot, so that the hands change sides with every throw.
+/// The instrument tie. The driver lies over the stitch, along the wound. The left hand holds the long end and winds it round the driver's
+/// closed jaws, on the side of their tips: there it passes between driver and tissue, through the loop that the thread itself makes with
+/// the tissue. (Wound about a driver that stands upright, thread only twists like a rubber band, and comes undone.) The driver opens,
+/// takes the short tail, closes and draws it back through the loop; both ends are drawn apart, the long end toward the tail's side. The
+/// next throw is wound from there, the other way round for a square knot, so that the hands change sides with every throw.
 #include <cmath>
 
-#include "scenes/expert_state.h"
-#include "scenes/portable_math.h"
+#include "scenes/tie_places.h"
 #include "sim/strand/strand.h"
 #include "sim/suture/holes.h"
 
 namespace halsted::scenes {
 namespace {
 
-constexpr double kPi = 3.14159265358979312;    // [rad]
-// The driver stands beside the stitch, on the tail's side, so that the thread comes to it level and does not run off the tips.
-constexpr double kBeside = 15e-3, kAcross = 8e-3, kTipsUp = 4e-3;   // [m] from the stitch; out of the tail's way; above it
-constexpr double kUpJaws = 9e-3;               // [m] above the tips: where the thread goes round; what the jaws grip lies lower
-constexpr double kRise = 0.5;                  // [1] of the winding hand over its distance from the driver: it pulls up as the stitch pulls down
+constexpr double kBack = 30e-3;                // [m] along its shaft: where the driver waits
 constexpr double kWindSpeed = 3.0;             // [rad/s]
 constexpr double kMove = 0.08, kCareful = 0.03;   // [m/s]
-constexpr double kSlack = 6e-3;                // [m] kept in the long end so that the jaws can open inside the loop
 constexpr double kSnug = 0.03, kGive = 0.06;   // [N] more would draw the tail into the tissue: the winding hand gives way; [m/s]
-constexpr double kPerThrow = 6e-3;             // [m] of each end that a throw takes up
+constexpr double kWider = 6e-3;                // [m] of thread that the opening jaws take up
 constexpr double kTaut = 0.5;                  // [N] at which a tail on its way up is drawn no farther
-constexpr double kLoop = 2.3e-3;               // [m] radius of a turn about the jaws
-constexpr double kNearest = 6e-3;              // [m] of the winding hand from the driver
-constexpr double kFromEnd = 5e-3;              // [m] of tail beyond the jaws
 constexpr double kTailShare = 0.85;            // [1] of its length: how far from the tissue the tail is drawn up through the loop
 constexpr double kAside = 10e-3, kLow = 6e-3;  // [m] from the stitch as the ends begin to be drawn; above it
+constexpr double kOff = 0.1;                   // [N] with which the loop is drawn off the tips
+constexpr double kOver = 18e-3, kBeyond = 12e-3;   // [m] of the other hand above the stitch and past the tips meanwhile
 constexpr double kDraw = 0.03;                 // [m/s]
+constexpr double kHoldTail = 0.15;             // [1] of that for the tail: it is to stay short
 constexpr double kReach = 0.09;                // [m] as far as an arm draws
 constexpr double kFeel = 0.5, kFeelTime = 0.05;   // [N], [s]
 constexpr double kHoldTight = 0.3;             // [s]
@@ -44,72 +40,6 @@ void goTo(const Scene& s, int phase) {
 }
 
 const StrandState& strand(const Scene& s) { return s.state.strand; }
-const Hole& tailHole(const Scene& s) { return strand(s).holes[0]; }
-const Hole& longHole(const Scene& s) { return strand(s).holes[strand(s).holeCount - 1]; }
-
-/// Middle between the two places where the ends leave the tissue.  [m]
-Vec3 stitch(const Scene& s) {
-  const auto& x = s.state.tissue.position;
-  return 0.5 * (holePoint(s.model, tailHole(s), x) + holePoint(s.model, longHole(s), x));
-}
-
-/// Level direction from the tail's hole to the long end's.  [1]
-Vec3 strandSide(const Scene& s) {
-  const auto& x = s.state.tissue.position;
-  Vec3 d = holePoint(s.model, longHole(s), x) - holePoint(s.model, tailHole(s), x);
-  d.z() = 0.0;
-  return d.norm() > 1e-4 ? Vec3(d.normalized()) : Vec3(Vec3::UnitX());
-}
-
-Vec3 turned(const Vec3& v, double angle) {     // about the surgeon's line of sight  [rad]
-  const double c = cosine(angle), n = sine(angle);   // [1]
-  return {c * v.x() - n * v.y(), n * v.x() + c * v.y(), v.z()};
-}
-
-/// Upright tool whose jaws open across `along`.
-Pose upright(const Vec3& position, const Vec3& along) {
-  const Vec3 y = along.norm() > 1e-9 ? Vec3(along.normalized()) : Vec3(Vec3::UnitY());
-  Mat3 axes;
-  axes << y.cross(Vec3::UnitZ()), y, Vec3::UnitZ();
-  return {position, Quat(axes).normalized()};
-}
-
-Pose keepTurn(const Scene& s, int hand, const Vec3& position) { return {position, s.memory.hand[hand].command.orientation}; }
-
-Vec3 driverPlace(const Scene& s) {
-  const KnotPlan& k = s.memory.knot;
-  const Vec3 across = turned(k.side, 0.5 * kPi * k.throws[k.current].sense);
-  return stitch(s) - kBeside * k.side + kAcross * across + kTipsUp * Vec3::UnitZ();
-}
-
-double tailPlace(const Scene& s) { return std::fmin(kFromEnd, 0.5 * tailHole(s).coordinate); }   // [m]
-double longPlace(const Scene& s) {             // [m]
-  return std::fmin(longHole(s).coordinate + s.action.longEnd, s.model.strand.length - kFromEnd);
-}
-bool holdsLong(const Scene& s) {
-  const double c = s.state.tools[kLeft].threadCoordinate;   // [m]
-  return c > longHole(s).coordinate + 0.6 * s.action.longEnd && c < longHole(s).coordinate + 1.5 * s.action.longEnd;
-}
-bool holdsTail(const Scene& s) {
-  const double c = s.state.tools[kRight].threadCoordinate;   // [m]
-  return c >= 0.0 && c < tailHole(s).coordinate;
-}
-
-/// Where the winding hand is, having gone so far round the driver, with its thread all but straight. `driver`: the tips.
-Vec3 windingPlace(const Scene& s, const Vec3& driver, double swept) {   // [m], [rad]
-  const KnotPlan& k = s.memory.knot;
-  const Vec3 out = turned(k.side, swept * k.throws[k.current].sense) + kRise * Vec3::UnitZ();
-  const Vec3 loop = driver + kUpJaws * Vec3::UnitZ(), from = loop - holePoint(s.model, longHole(s), s.state.tissue.position);
-  const double length = s.state.tools[kLeft].threadCoordinate - longHole(s).coordinate - kSlack - kPerThrow * k.current - k.given;   // [m]
-  double distance = (length - from.norm() - kLoop * (swept - kPi)) / out.norm();                   // [m] round the driver
-  if (swept < kPi) {                           // the thread does not touch it yet: |from + distance out| = length
-    const double b = from.dot(out), rest = b * b - out.squaredNorm() * (from.squaredNorm() - length * length);   // [m], [m^2]
-    distance = rest > 0.0 ? (std::sqrt(rest) - b) / out.squaredNorm() : kNearest;
-  }
-  return loop + std::fmax(kNearest, distance) * out;
-}
-
-double wholeTurns(const Scene& s) { return 2.0 * kPi * s.memory.knot.throws[s.memory.knot.current].turns; }   // [rad]
 
 bool begin(const Scene& s, std::string& failure) {
   KnotPlan& k = s.memory.knot;
@@ -117,6 +47,7 @@ bool begin(const Scene& s, std::string& failure) {
   k = KnotPlan{};
   k.throws = parseThrows(s.action.tie);
   k.side = strandSide(s);
+  k.handle = k.side.cross(Vec3::UnitZ());
   const bool free = s.state.tools[kRight].closed;
   for (int h = 0; h < kHands; ++h) s.memory.goal[h] = above(s.memory.hand[h].command, 0.02);
   goTo(s, free ? kFreeDriver : kFreeLong);
@@ -147,59 +78,71 @@ void giveWay(const Scene& s) {
   if (s.state.tools[kLeft].threadForce.norm() > kSnug) s.memory.knot.given += kGive * s.dt;
 }
 
-/// The winding hand stands on its side, then the driver comes beside the stitch with closed jaws, then the thread goes round.
+/// The winding hand stands on its side, then the driver comes over the stitch with closed jaws, then the thread goes round.
 void wind(const Scene& s) {
   ExpertState& e = s.memory;
   KnotPlan& k = e.knot;
   if (e.phase == kLiftLong) {
     k.swept = k.given = 0.0;
     e.hand[kRight].jaw = 0.0;
-    const bool up = moveHand(s, kLeft, keepTurn(s, kLeft, windingPlace(s, driverPlace(s), 0.0)), kMove);
-    const bool ready = moveHand(s, kRight, upright(driverPlace(s) + 0.025 * Vec3::UnitZ(), k.side), kMove);
+    const bool up = moveHand(s, kLeft, windingPose(s, driverPlace(s), 0.0), kMove);
+    const bool ready = moveHand(s, kRight, driverPose(s, kBack), kMove);
     if (up && ready) goTo(s, kStand);
   } else if (e.phase == kStand) {
-    if (moveHand(s, kRight, upright(driverPlace(s), k.side), kMove) && s.inPhase > 0.2) goTo(s, kWind);
+    if (moveHand(s, kRight, driverPose(s, 0.0), kMove) && s.inPhase > 0.2) goTo(s, kWind);
   } else if (e.phase == kWind) {
     giveWay(s);
     k.swept = std::fmin(wholeTurns(s), k.swept + kWindSpeed * s.dt);
-    const Vec3 hand = windingPlace(s, e.hand[kRight].command.position, k.swept);
-    if (moveHand(s, kLeft, keepTurn(s, kLeft, hand), 0.25) && k.swept >= wholeTurns(s)) goTo(s, kFollow);
+    const Pose hand = windingPose(s, e.hand[kRight].command.position, k.swept);
+    if (moveHand(s, kLeft, hand, 0.25) && k.swept >= wholeTurns(s)) goTo(s, kFollow);
   }
 }
 
 /// The winding hand stays beside the driver and keeps the loop on its jaws.
 void follow(const Scene& s) {
   giveWay(s);
-  moveHand(s, kLeft, keepTurn(s, kLeft, windingPlace(s, s.memory.hand[kRight].command.position, wholeTurns(s))), 0.15);
+  moveHand(s, kLeft, windingPose(s, s.memory.hand[kRight].command.position, wholeTurns(s)), 0.15);
 }
 
 /// The driver, loop round its jaws, goes to the tail, opens, takes it.
 void fetchTail(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
-  const Pose grip = threadGrip(s, kRight, tailPlace(s));
+  const Pose grip = tailGrip(s);
   if (e.phase == kFollow) {
     const bool there = moveHand(s, kRight, above(grip, 8e-3), kCareful);
     follow(s);
     if (there || s.inPhase > 3.0) goTo(s, kOpen);
   } else if (e.phase == kOpen) {
     e.hand[kRight].jaw = std::fmin(1.0, s.inPhase / 0.4);
+    if (s.inPhase < 0.4) e.knot.given += kWider / 0.4 * s.dt;
     follow(s);
     if (s.inPhase > 0.5) goTo(s, kToTail);
   } else if (e.phase == kToTail) {
-    const bool there = moveHand(s, kRight, {grip.position - 1e-3 * Vec3::UnitZ(), grip.orientation}, kCareful);
+    const bool there = moveHand(s, kRight, {grip.position - 1e-3 * driverShaft(s), grip.orientation}, kCareful);
     follow(s);
     if (there || s.inPhase > 2.0) goTo(s, kClose);
   } else {
     e.hand[kRight].jaw = std::fmax(0.0, 1.0 - s.inPhase / 0.2);
     follow(s);
     if (s.inPhase < 0.3) return;
+    e.knot.drawn = e.knot.felt = {};
     if (holdsTail(s)) { goTo(s, kThrough); return; }
     if (++e.knot.misses > kAttempts) failure = "the tail was not taken";
     goTo(s, kFollow);
   }
 }
 
-/// The tail comes up through the loop, then the hands go to their sides.
+/// The other hand draws the loop off the driver's tips, on to the tail: until it feels that there is nothing more to come.
+void drawOffTips(const Scene& s) {
+  KnotPlan& k = s.memory.knot;
+  k.felt[kLeft] += s.dt / kFeelTime * (s.state.tools[kLeft].threadForce.norm() - k.felt[kLeft]);
+  k.drawn[kLeft] += kCareful * s.dt;
+  const Vec3 from = stitch(s) + kOver * Vec3::UnitZ() - kBeyond * k.handle;
+  moveHand(s, kLeft, keepTurn(s, kLeft, from - k.drawn[kLeft] * k.handle), 2.0 * kCareful);
+  if (k.felt[kLeft] > kOff || k.drawn[kLeft] > kReach) goTo(s, kCross);
+}
+
+/// The tail comes through the loop, then the hands go to their sides.
 void drawThrough(const Scene& s) {
   ExpertState& e = s.memory;
   const KnotPlan& k = e.knot;
@@ -208,13 +151,10 @@ void drawThrough(const Scene& s) {
     const Vec3 from = holePoint(s.model, tailHole(s), s.state.tissue.position);
     const ToolState& driver = s.state.tools[kRight];
     const double reach = kTailShare * (tailHole(s).coordinate - driver.threadCoordinate - kPerThrow * k.current);   // [m]
-    const Vec3 up = from + reach * (Vec3::UnitZ() - 0.3 * k.side).normalized();
-    const bool drawn = driver.threadForce.norm() > kTaut || moveHand(s, kRight, keepTurn(s, kRight, up), kCareful);
-    // The long end goes on round the tail the way that it was wound: straight across it could as well unwind half a turn.
-    const Vec3 on = turned(k.side, 0.5 * kPi * k.throws[k.current].sense);
-    const Vec3 away = p + 1.2 * kAside * on + kLow * Vec3::UnitZ();
-    moveHand(s, kLeft, keepTurn(s, kLeft, away), kCareful);
-    if (drawn && s.inPhase > 0.4) goTo(s, kCross);
+    const Vec3 back = from + reach * (k.handle + Vec3::UnitZ()).normalized();
+    const bool drawn = driver.threadForce.norm() > kTaut || moveHand(s, kRight, keepTurn(s, kRight, back), kCareful);
+    if (!drawn) { moveHand(s, kLeft, keepTurn(s, kLeft, p + kOver * Vec3::UnitZ() - kBeyond * k.handle), kCareful); return; }
+    drawOffTips(s);
   } else {
     const bool right = moveHand(s, kRight, keepTurn(s, kRight, p + kAside * k.side + kLow * Vec3::UnitZ()), kCareful);
     const bool left = moveHand(s, kLeft, keepTurn(s, kLeft, p - 2.0 * kAside * k.side + kLow * Vec3::UnitZ()), kMove);
@@ -234,7 +174,7 @@ bool drawTight(const Scene& s) {
   for (int h = 0; h < kHands; ++h) {
     k.felt[h] += s.dt / kFeelTime * (s.state.tools[h].threadForce.norm() - k.felt[h]);
     const double lack = (s.action.tension - k.felt[h]) / kFeel;   // [1]
-    const double pace = std::fmax(-1.0, std::fmin(1.0, lack));    // [1]
+    const double pace = std::fmax(-1.0, std::fmin(h == kRight ? kHoldTail : 1.0, lack));   // [1]
     k.drawn[h] = std::fmin(kReach, std::fmax(0.0, k.drawn[h] + pace * kDraw * s.dt));
     tight = tight && (lack < 0.2 || k.drawn[h] >= kReach);
     const Vec3 way = (h == kLeft ? -1.0 : 1.0) * k.side;

@@ -7,8 +7,9 @@
 
 namespace halsted::scenes {
 
-/// One throw: turns of the long end round the driver, and the way it is wound: +1 counter-clockwise seen by the surgeon.
-struct PlannedThrow { int turns = 1, sense = 1; };
+/// One throw: turns of the long end round the driver, and the way it is wound from its own side: +1 over the driver first, -1 under it.
+/// The ends change sides with every throw, so that over and over again makes a square knot.
+struct PlannedThrow { int turns = 1, over = 1; };
 
 /// "2=1=1": a double throw and two single ones, each wound the other way (=) than the one before, or the same way (x). Empty: not a knot.
 std::vector<PlannedThrow> parseThrows(const std::string& notation);
@@ -17,6 +18,7 @@ std::vector<PlannedThrow> parseThrows(const std::string& notation);
 struct KnotPlan {
   std::vector<PlannedThrow> throws;
   std::size_t current = 0;
+  Vec3 handle = -Vec3::UnitY();                // [1] level, along the wound, toward the hand that holds the driver
   Vec3 side = Vec3::UnitX();                   // [1] level, from the stitch toward the strand of the long end below this throw
   double swept = 0.0;                          // [rad] of this throw's winding
   double given = 0.0;                          // [m] by which the winding hand has given way

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "scenes/portable_math.h"
 #include "scenes/tube_grid.h"
+#include "sim/portable_math.h"
 
 namespace halsted::scenes {
 namespace {

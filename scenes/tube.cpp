@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "scenes/input_text.h"
-#include "scenes/portable_math.h"
 #include "scenes/scene.h"
 #include "scenes/tube_axis.h"
 #include "scenes/tube_grid.h"
 #include "scenes/tube_segment.h"
+#include "sim/portable_math.h"
 
 namespace halsted::scenes {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/portable_math.h"
+#include "sim/portable_math.h"
 
 namespace halsted::scenes {
 

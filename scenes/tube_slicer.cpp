@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "scenes/portable_math.h"
 #include "scenes/tube_section.h"
+#include "sim/portable_math.h"
 
 namespace halsted::scenes {
 namespace {

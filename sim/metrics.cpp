@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/portable_math.h"
+
 namespace halsted {
 namespace {
 
@@ -28,11 +30,8 @@ void addSpread(Rows& rows, const std::string& name, const std::string& unit, con
   rows.emplace_back(name + "_sd_" + unit, value.deviation);
 }
 
-/// Angle between needle and inward normal, for reports: never inside a step, so acos is allowed as it is at load time (DESIGN 7.2).
-double degrees(double cosine) {                          // [1]
-  constexpr double kDegreesPerRadian = 57.295779513082323;   // [deg/rad]
-  return std::acos(std::clamp(cosine, -1.0, 1.0)) * kDegreesPerRadian;   // reports are made at load time or after a run
-}
+/// Angle between needle and inward normal.  cosine [1] -> [deg]
+double degrees(double cosine) { return 90.0 - arcSine(cosine) * 180.0 / kPi; }
 
 void addBites(Rows& rows, const MetricsState& m) {
   const int count = std::clamp<int>(m.biteCount, 0, kMaxBites);

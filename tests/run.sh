@@ -1,8 +1,9 @@
 #!/bin/bash
-# Installs what is missing, builds, and runs the release suite. The sweeps take longer and are named: the determinism test with another
-# compiler, both sanitizers, and the fuzz targets. Each part prints PASS or FAIL; the exit code is not zero when one failed.
-#   tests/run.sh            the release suite (about 12 minutes on 2 cores from scratch)
-#   tests/run.sh --sweeps   the suite and every sweep, bounded
+# Installs what is missing, builds, runs the release suite and every reader's fuzz target for some seconds. The sweeps take longer and
+# are named: the determinism test with another compiler, both sanitizers, longer fuzzing. Each part prints PASS or FAIL; the exit code
+# is not zero when one failed.
+#   tests/run.sh            the release suite and bounded fuzzing (from scratch: README)
+#   tests/run.sh --sweeps   these and every sweep, bounded
 #   tests/run.sh --full     longer sanitizer and fuzz sweeps
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -77,8 +78,9 @@ thread_sanitizer() {
 }
 
 fuzz() {
-  build fuzz || return 1
-  local seconds=20 target found=0
+  build fuzz halsted_fuzzers || return 1
+  local seconds=3 target found=0
+  [ "$mode" = sweeps ] && seconds=20
   [ "$mode" = full ] && seconds=300
   for target in build/fuzz/tests/fuzz_*; do
     [ -x "$target" ] && [ -f "$target" ] || continue
@@ -106,11 +108,11 @@ if [ $failed -eq 0 ]; then
     failed=1
   fi
   echo "${results[-1]}"
+  part fuzz fuzz
   if [ "$mode" != suite ]; then
     part determinism-clang-debug other_compiler
     part address-sanitizer address_sanitizer
     part thread-sanitizer thread_sanitizer
-    part fuzz fuzz
   fi
 fi
 

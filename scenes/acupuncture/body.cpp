@@ -8,7 +8,7 @@
 #include "scenes/harmonics/layers.h"
 #include "scenes/input_text.h"
 #include "scenes/mesh_path.h"
-#include "scenes/portable_math.h"
+#include "sim/portable_math.h"
 
 namespace halsted::scenes {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "scenes/harmonics/sphere_map.h"
 #include "sim/harmonics/surface.h"
+#include "sim/portable_math.h"
 
 namespace halsted::scenes {
 namespace {
@@ -10,7 +11,6 @@ namespace {
 /// Coarse first: what a low order evens out needs no small steps.
 struct Stage { int order, mostSteps; };
 constexpr Stage kStages[] = {{6, 40}, {12, 40}, {24, 30}};
-constexpr double kPi = 3.14159265358979323846;   // [1]
 constexpr double kStep = 0.25;                 // [1] share of the excess density to remove in a step
 constexpr double kLongest = 0.7;               // [rad] of one step times the order: a tenth of the finest harmonic's wave
 constexpr double kEven = 0.03;                 // [1] a stage ends when the density it sees is even to this,

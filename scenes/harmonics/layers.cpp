@@ -4,7 +4,7 @@
 
 #include "scenes/harmonics/fit.h"
 #include "scenes/input_text.h"
-#include "scenes/portable_math.h"
+#include "sim/portable_math.h"
 
 namespace halsted::scenes {
 namespace {

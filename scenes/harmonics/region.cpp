@@ -5,7 +5,7 @@
 #include <map>
 
 #include "scenes/input_text.h"
-#include "scenes/portable_math.h"
+#include "sim/portable_math.h"
 
 namespace halsted::scenes {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/portable_math.h"
+
 namespace halsted {
 namespace {
 
@@ -27,7 +29,6 @@ struct Rings {
   std::vector<Vec3> unit;                      // ring by ring; first the centre, last the far side
 
   Rings(const SurfaceFrame& f, const Vec3& e1) {
-    constexpr double kPi = 3.14159265358979312;   // [1]
     const Eigen::Matrix2d tangents = tangentsAt(f, e1);   // [m]
     const double mean = std::sqrt(tangents.determinant());   // [m] per radian
     const Eigen::Matrix2d toSphere = mean * tangents.inverse();   // [1]
@@ -40,11 +41,11 @@ struct Rings {
       const double far = r / (kPi * mean);     // [1]
       for (int k = 0; k < kSectors; ++k) {
         const double phi = 2.0 * kPi * k / kSectors;   // [rad] counter-clockwise seen from outside
-        const Eigen::Vector2d round(std::cos(phi), std::sin(phi));   // load time
+        const Eigen::Vector2d round(cosine(phi), sine(phi));
         const Eigen::Vector2d way = ((1.0 - far) * toSphere + far * onSphere) * round;   // [1] round on the skin near, on the sphere far
         const double size = way.norm(), angle = std::min(r / mean * size, 0.985 * kPi);   // [1], [rad]
         const Vec3 d = (way.x() * f.direction1 + way.y() * f.direction2) / size;
-        unit.push_back(std::cos(angle) * f.unit + std::sin(angle) * d);   // load time
+        unit.push_back(cosine(angle) * f.unit + sine(angle) * d);
       }
     }
     unit.push_back(-f.unit);

@@ -138,11 +138,22 @@ KnotReader::KnotReader(int nodes) {
   }
 }
 
-bool KnotReader::project(const Vec3& direction) {
+/// Node of the thread that lies nearest to a place on the straightened one: a long straight piece is crossed anywhere.
+int KnotReader::nodeAt(std::span<const Vec3> curve, double along) const {   // [m], [1]
+  const std::size_t piece = static_cast<std::size_t>(along);
+  const double share = along - static_cast<double>(piece);   // [1]
+  const Vec3 place = straight_[piece] + share * (straight_[piece + 1] - straight_[piece]);
+  int nearest = node_[piece];
+  for (int i = nearest + 1; i <= node_[piece + 1]; ++i)
+    if ((curve[i] - place).squaredNorm() < (curve[nearest] - place).squaredNorm()) nearest = i;
+  return nearest;
+}
+
+bool KnotReader::project(std::span<const Vec3> curve, const Vec3& direction) {   // [m], [1]
   turn(straight_, direction, seen_);
   if (!findCrossings(seen_, kMostCrossings, visits_, diagram_)) return false;
   for (SeenVisit& v : visits_) {
-    v.visit.node = node_[static_cast<std::size_t>(v.along)];
+    v.visit.node = nodeAt(curve, v.along);
     diagram_.code.push_back(v.visit);
   }
   reduceDiagram(diagram_);
@@ -178,7 +189,7 @@ KnotReading KnotReader::read(std::span<const Vec3> curve) {
                                   {0.19, 1.0, 0.8},  {0.23, -1.0, 0.9}, {1.0, 0.15, 0.7}, {-0.9, 0.27, 1.0}, {0.8, 0.9, 1.0}};
   bool found = false;
   for (const auto& view : kViews) {
-    if (!project(Vec3(view[0], view[1], view[2]))) continue;
+    if (!project(curve, Vec3(view[0], view[1], view[2]))) continue;
     if (!found || diagram_.crossings() < best_.crossings()) std::swap(diagram_, best_);
     found = true;
     if (best_.crossings() == 0) break;

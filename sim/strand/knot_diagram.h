@@ -80,7 +80,8 @@ class KnotReader {
  private:
   friend std::vector<Vec3> straightened(std::span<const Vec3> curve);   // [m]
   void straighten(std::span<const Vec3> curve);   // [m]
-  bool project(const Vec3& direction);         // [1] false: more crossings than fit
+  int nodeAt(std::span<const Vec3> curve, double along) const;   // [m], [1]
+  bool project(std::span<const Vec3> curve, const Vec3& direction);   // [m], [1] false: more crossings than fit
   KnotReading takeThrows();
 
   std::vector<Vec3> straight_, seen_;          // [m]

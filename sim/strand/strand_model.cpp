@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sim/portable_math.h"
+
 namespace halsted {
 namespace {
 
@@ -34,11 +36,9 @@ void check(const SimParams& p) {
   require(p.needle.wireRadius > 0.0, "needle.wire_radius must be positive");
 }
 
-/// Unit circle by turning: the series of one short turn, then products, so that every CPU builds the same needle (libm would not).
+/// Unit circle by turning: one short turn, repeated.
 void buildArc(double angle, StrandModel& m) {  // [rad]
-  const double d = angle / StrandModel::kArcTable, d2 = d * d;   // [rad], [rad^2] at most 0.08 rad: five terms are exact
-  const double c = 1.0 - d2 / 2.0 * (1.0 - d2 / 12.0 * (1.0 - d2 / 30.0 * (1.0 - d2 / 56.0)));       // [1]
-  const double s = d * (1.0 - d2 / 6.0 * (1.0 - d2 / 20.0 * (1.0 - d2 / 42.0 * (1.0 - d2 / 72.0))));   // [1]
+  const double c = cosineNearZero(angle / StrandModel::kArcTable), s = sineNearZero(angle / StrandModel::kArcTable);   // [1]
   Vec3 radial = Vec3::UnitX();
   for (int i = 0; i <= StrandModel::kArcTable; ++i) {
     m.arcPoint.push_back(m.needle.radius * radial);
@@ -49,7 +49,7 @@ void buildArc(double angle, StrandModel& m) {  // [rad]
 
 /// Mass, centre and inertia of a thin arc by summation over the table (load time).
 void buildNeedleBody(const SimParams& p, StrandModel& m) {
-  const double area = 3.14159265358979312 * p.needle.wireRadius * p.needle.wireRadius;   // [m^2]
+  const double area = kPi * p.needle.wireRadius * p.needle.wireRadius;   // [m^2]
   m.needleMass = p.needle.density * area * p.needle.arcLength;
   const double piece = m.needleMass / StrandModel::kArcTable;                            // [kg]
   for (int i = 0; i < StrandModel::kArcTable; ++i) m.needleCentre += 0.5 * (m.arcPoint[i] + m.arcPoint[i + 1]);

@@ -79,16 +79,23 @@ class Substeps {
   std::array<Quat, kHands> turnTo_;
 };
 
-/// Parts the thread where it is pulled hardest, if that is more than it bears.
-void breakThread(const Model& m, State& s, StepOutput& out) {
+/// The segment that is pulled hardest, if that is more than the thread bears, or -1.
+int overloaded(const Model& m, const State& s) {
   int worst = 0;
   for (int i = 1; i + 1 < m.strand.nodes; ++i)
     if (s.strand.tension[i] > s.strand.tension[worst]) worst = i;
-  const double pull = s.strand.tension[worst];   // [N]
-  if (pull < m.params.thread.breakingTension) return;
-  s.threadContacts.cut[worst] = 1;
-  s.strand.tension[worst] = 0.0;
-  pushEvent(out, {s.step, EventKind::kThreadBroken, -1, worst, pull});
+  return s.strand.tension[worst] >= m.params.thread.breakingTension ? worst : -1;
+}
+
+/// A pull that breaks thread lasts the whole step: what stops an end that whips is over within a substep.
+bool staysOverloaded(const Model& m, const State& s, int segment) {
+  return segment >= 0 && s.strand.tension[segment] >= m.params.thread.breakingTension;
+}
+
+void breakThread(State& s, int segment, StepOutput& out) {
+  s.threadContacts.cut[segment] = 1;
+  pushEvent(out, {s.step, EventKind::kThreadBroken, -1, segment, s.strand.tension[segment]});
+  s.strand.tension[segment] = 0.0;
 }
 
 }  // namespace
@@ -99,6 +106,7 @@ bool solveKnottedStrand(const Model& m, const KnottingMotion& motion, State& s, 
   ThreadTouch touch{s.threadContacts, s.work.threadContacts};
   touch.work.solids = s.work.threadSolids;
   s.work.threadOnTool = zeroVectors<kHands>();
+  int worst = -1;
   for (int k = 0; k < count; ++k) {
     substeps.place(static_cast<double>(k) / count, static_cast<double>(k + 1) / count);
     if (!solveStrand(m.strand, m.params.dt / count, m.params.gravity, s.strand, s.work.strand, &touch)) return false;
@@ -106,8 +114,10 @@ bool solveKnottedStrand(const Model& m, const KnottingMotion& motion, State& s, 
       const int hand = solidHand(solid);
       if (hand >= 0) s.work.threadOnTool[hand] += forceOnSolid(touch.work, solid) / count;
     }
-    breakThread(m, s, out);
+    if (k == 0) worst = overloaded(m, s);
+    else if (!staysOverloaded(m, s, worst)) worst = -1;
   }
+  if (worst >= 0) breakThread(s, worst, out);
   return true;
 }
 

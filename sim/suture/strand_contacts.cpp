@@ -78,10 +78,11 @@ struct Friction {
 };
 
 /// The thread weighs next to nothing: Coulomb's law as a lagged secant holds it. The needle is as stiff as the hand that holds it:
-/// its friction is carried from step to step and grows while it sticks, so that the tissue follows (limited after the solve).
+/// its friction is carried from step to step and grows while it sticks, so that the tissue follows (limited after the solve). So is that
+/// of thread that can be knotted: drawn tight on the tissue it is as stiff as wire, and the secant would shake the wall.
 Friction frictionOf(const Model& m, const Sample& x, const Touch& touch, double push) {
   const double held = touch.record.normalForce > 0.0 ? touch.record.normalForce : push;
-  if (x.index >= m.strand.nodes) {
+  if (m.params.thread.knots || x.index >= m.strand.nodes) {
     const Vec3& old = touch.record.force;
     return {touch.stiffness, old - old.dot(touch.normal) * touch.normal};
   }
@@ -109,6 +110,16 @@ void offerTouch(const Model& m, const Sample& x, Touch& touch, State& state, int
   state.work.freshContacts[fresh++] = touch.record;
 }
 
+/// Thread feels nothing along itself but friction: over an edge the nearest face changes from sample to sample and from step to step, and
+/// a push along the thread would draw it to and fro. End on, it is a point like any other.
+Vec3 acrossThread(const Model& m, const StrandState& s, const Sample& x, const Vec3& normal) {   // [1]
+  constexpr double kEndOn = 0.3;               // [1] sine of the angle between thread and normal
+  if (!m.params.thread.knots || x.index >= m.strand.nodes) return normal;
+  const Vec3 along = strandTangent(m.strand, s, x.coordinate);
+  const Vec3 across = normal - normal.dot(along) * along;
+  return across.squaredNorm() > kEndOn * kEndOn ? Vec3(across.normalized()) : normal;
+}
+
 void touchTissue(const Model& m, const Sample& x, State& state, int& fresh) {
   StrandState& s = state.strand;
   const auto& tissue = state.tissue.position;
@@ -122,7 +133,7 @@ void touchTissue(const Model& m, const Sample& x, State& state, int& fresh) {
   if (near.triangle < 0 || near.distance < -kSkinDepth) return;
   Touch t;
   t.point = near.point;
-  t.normal = near.normal;
+  t.normal = acrossThread(m, s, x, near.normal);
   t.moved = near.point - pointOn(m.surface, state.work.tissue.previous, near.triangle, near.weight);
   // Where the thread's nodes lie closer, more of them press on the same tissue.
   const double crowd = x.index < m.strand.nodes ? std::fmax(1.0, kNodeSpacing / segmentAt(m.strand, x.coordinate)) : 1.0;   // [1]

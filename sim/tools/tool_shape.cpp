@@ -1,11 +1,13 @@
 #include "sim/tools/tool_shape.h"
 
+#include "sim/portable_math.h"
+
 namespace halsted {
 
 CapsuleShape placed(const CapsuleShape& c, const Pose& pose) { return {pose.apply(c.a), pose.apply(c.b), c.radius}; }
 
 std::array<CapsuleShape, kSolidsPerTool> toolCapsules(const ToolParams& t, double jaw) {
-  constexpr double kHalfDegree = 3.14159265358979312 / 360.0;  // half the angle between the jaws, small enough to be its tangent [rad]
+  constexpr double kHalfDegree = kPi / 360.0;  // half the angle between the jaws, small enough to be its tangent [rad]
   const double open = t.jawRadius + jaw * t.jawAngleDegrees * kHalfDegree * t.jawLength;   // [m] tip offset from the middle
   const Vec3 hinge(0.0, 0.0, t.jawLength);
   const Vec3 side(t.jawRadius, 0.0, 0.0);

@@ -29,7 +29,7 @@ void expectLaws(const SimParams& p, WallPress press, const NamedHand& hand, doub
   EXPECT_GT(r.energyTaken, -kCreated) << hand.name << " " << speed;
   EXPECT_LT(r.replaced, kReplaced) << hand.name << " " << speed;
   EXPECT_LT(r.buzz, kBuzz) << hand.name << " " << speed;
-  EXPECT_GT(r.steady, 0.05) << "the hand did press";
+  EXPECT_GT(r.peak, 0.05) << "the hand did press";   // at an edge the tool slides off while it is held
   EXPECT_EQ(r.otherHand, 0.0);
 }
 
@@ -53,19 +53,21 @@ TEST(ToolTouch, CreatesNoEnergyAtAnySpeedWhereTheWallIsHeld) {
 
 TEST(ToolTouch, CreatesNoEnergyAtAnySpeedOnBowel) { expectLawsAtAnySpeed(softWall(), WallPress{}); }
 
-/// Soft tissue at its middle, its top edge and its end; the tool stands on the face, or lies along it. Beside what holds it (2 mm from the
-/// foot) the energy keeps its law, the others are missed by a tenth to four tenths: README, what falls short.
+/// Soft tissue at its middle, its edges, a corner, its end and beside the foot that holds it; the tool stands on the face, or lies along it.
+/// Beside the foot it is pressed to half the wall's thickness: at three quarters the pinched tissue quivers (README, what falls short).
 struct SoftPlace {
   const char* name;
-  double height, along;                          // [m]
+  double height, along, depth;                   // [m]
   bool flat;
 };
 
 class SoftPlaces : public testing::TestWithParam<SoftPlace> {};
 INSTANTIATE_TEST_SUITE_P(ToolTouch, SoftPlaces,
-                         testing::Values(SoftPlace{"Middle", 11e-3, 12e-3, false}, SoftPlace{"Rim", 14e-3, 12e-3, false},
-                                         SoftPlace{"End", 11e-3, 22e-3, false}, SoftPlace{"LyingInTheMiddle", 9e-3, 4e-3, true},
-                                         SoftPlace{"LyingAtTheRim", 14e-3, 12e-3, true}),
+                         testing::Values(SoftPlace{"Middle", 11e-3, 12e-3, 3e-3, false}, SoftPlace{"Foot", 2e-3, 12e-3, 2e-3, false},
+                                         SoftPlace{"Rim", 14e-3, 12e-3, 3e-3, false}, SoftPlace{"OverTheRim", 16.5e-3, 12e-3, 3e-3, false},
+                                         SoftPlace{"End", 11e-3, 22e-3, 3e-3, false}, SoftPlace{"Corner", 15e-3, 23e-3, 3e-3, false},
+                                         SoftPlace{"LyingAtTheFoot", 2e-3, 12e-3, 1.5e-3, true},
+                                         SoftPlace{"LyingInTheMiddle", 9e-3, 4e-3, 2e-3, true}, SoftPlace{"LyingAtTheRim", 14e-3, 12e-3, 2e-3, true}),
                          [](const auto& place) { return std::string(place.param.name); });
 
 TEST_P(SoftPlaces, CreateNoEnergyAtAnySpeed) {
@@ -73,7 +75,7 @@ TEST_P(SoftPlaces, CreateNoEnergyAtAnySpeed) {
   press.height = GetParam().height;
   press.along = GetParam().along;
   press.flat = GetParam().flat;
-  press.depth = press.flat ? 2e-3 : 3e-3;
+  press.depth = GetParam().depth;
   for (const NamedHand& hand : threeHands())
     for (const double speed : {0.01, 0.03, 0.1, 0.2, 0.3}) {
       press.hold = 1.0 + 13e-3 / speed;          // the way there, and a second

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "scenes/portable_math.h"
 #include "scenes/procedural_colon.h"
 #include "tests/scenes/wall_laws.h"
 
@@ -61,13 +60,6 @@ TEST(ProceduralColon, GivesTheSameBytesTwice) {
 /// Any change of shape, compiler or processor that moves one bit of the default anatomy shows here.
 TEST(ProceduralColon, GivesTheSameBitsOnEveryMachine) {
   EXPECT_EQ(testing::bitsOf(scenes::proceduralColon({})), 0xcfcbdbd648482230ULL);
-}
-
-TEST(PortableMath, AgreesWithTheMathLibrary) {
-  for (double x = -60.0; x < 60.0; x += 0.0137) {  // [rad]
-    EXPECT_NEAR(scenes::cosine(x), std::cos(x), 1e-14);
-    EXPECT_NEAR(scenes::sine(x), std::sin(x), 1e-14);
-  }
 }
 
 }  // namespace

@@ -82,6 +82,9 @@ struct Coverage {
 
 TEST(StateFields, EveryByteOutsideVectorsIsInTheListOrPadding) {
   State s = smallState();
+  s.threadContacts.drag.assign(1, 0.0);        // a scene whose thread meets itself: all of its table is in use
+  s.threadContacts.count = ThreadContactState::kMaxContacts;
+  s.knot.watched = true;
   Coverage coverage{reinterpret_cast<const unsigned char*>(&s), std::vector<char>(sizeof s, 0)};
   coverage.mark(&s.work, sizeof s.work);       // scratch is no part of the state's value
   visitFields(s, coverage);

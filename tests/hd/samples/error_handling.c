@@ -30,6 +30,12 @@ static HDCallbackCode HDCALLBACK endCallback(void *pUserData) {
   return HD_CALLBACK_CONTINUE;
 }
 
+/* Reads the servo thread's count on that thread: the way to see a number that it writes. */
+static HDCallbackCode HDCALLBACK readClosed(void *pUserData) {
+  *(int *)pUserData = closed;
+  return HD_CALLBACK_DONE;
+}
+
 static HDCallbackCode HDCALLBACK mistakes(void *pUserData) {
   HDdouble force[3] = {0, 0, 0};
   HDint whole[3];
@@ -49,7 +55,7 @@ int main(void) {
   HDSchedulerHandle handles[3];
   HDErrorInfo error;
   HHD device = hdInitDevice(HD_DEFAULT_DEVICE);
-  int i, ticks = 0;
+  int i, asked, seen = 0;
   if (hdGetError().errorCode != HD_SUCCESS) return 1;
   hdInitDevice(HD_DEFAULT_DEVICE);
   hdInitDevice("no such device");
@@ -59,7 +65,10 @@ int main(void) {
   handles[1] = hdScheduleAsynchronous(useCallback, 0, HD_DEFAULT_SCHEDULER_PRIORITY);
   handles[2] = hdScheduleAsynchronous(beginCallback, 0, HD_MAX_SCHEDULER_PRIORITY);
   hdStartScheduler();
-  for (; closed < 200 && ticks < 100000000; ++ticks) hdWaitForCompletion(handles[0], HD_WAIT_CHECK_STATUS);
+  for (asked = 0; seen < 200 && asked < 100000; ++asked) {
+    hdWaitForCompletion(handles[0], HD_WAIT_CHECK_STATUS);
+    hdScheduleSynchronous(readClosed, &seen, HD_DEFAULT_SCHEDULER_PRIORITY);
+  }
   for (i = 0; i < 3; ++i) hdUnschedule(handles[2 - i]); /* the one that opens goes first */
   error = hdGetError();
   printf("frames %s wrong %d error %s\n", closed >= 200 && opened >= closed && used >= closed ? "ok" : "missing", wrong,

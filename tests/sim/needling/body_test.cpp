@@ -130,11 +130,6 @@ TEST(NeedledBody, RefusesWhatMakesNoSense) {
   EXPECT_THROW(buildModel(needlingParams(), Anatomy{{}, thin}, {}), std::invalid_argument);
 }
 
-TEST(ArcSine, IsWithinATenthOfAMicroradian) {
-  for (double x = 0.0; x <= 1.0; x += 1e-3) EXPECT_NEAR(arcSine(x), std::asin(x), 1e-7);
-  EXPECT_NEAR(arcSine(1.5), std::asin(1.0), 1e-7);
-}
-
 struct Picture {
   BodyRig rig;
   RenderScene scene;

@@ -1,0 +1,105 @@
+#include "scenes/tie_places.h"
+
+#include <cmath>
+
+#include "sim/portable_math.h"
+#include "sim/strand/strand.h"
+#include "sim/suture/holes.h"
+
+namespace halsted::scenes {
+namespace {
+
+constexpr double kRise = 0.35, kLeftRise = 0.7;   // [1] of the driver's and the other hand's shaft over the level way to their handles
+constexpr double kHeight = 0.55;               // [1] of the long end: the driver above the stitch; the winding hand passes below it
+constexpr double kUpJaws = 9e-3;               // [m] above the tips: where the thread goes round; what the jaws grip lies lower
+constexpr double kAhead = 4e-3;                // [m] of the winding hand toward the tips: the thread goes on there, not back up the shaft
+constexpr double kSlack = 6e-3;                // [m] kept in the long end so that the jaws can open inside the loop
+constexpr double kLoop = 2.3e-3;               // [m] radius of a turn about the jaws
+constexpr double kNearest = 6e-3, kFarthest = 25e-3;   // [m] of the winding hand from the driver
+constexpr double kFromEnd = 5e-3;              // [m] of tail beyond the jaws
+
+const StrandState& strand(const Scene& s) { return s.state.strand; }
+
+/// The other hand's shaft, from the tips to the handle, and the way from the stitch up to the driver.  [1]
+Vec3 leftShaft(const Scene& s) { return (kLeftRise * Vec3::UnitZ() - s.memory.knot.handle).normalized(); }
+Vec3 upward(const Scene& s) { return (Vec3::UnitZ() - kRise * s.memory.knot.handle).normalized(); }
+
+/// Tool with its shaft this way, its jaws opening across `along`, whichever way round is nearer.
+Pose laid(const Scene& s, int hand, const Vec3& position, std::array<Vec3, 2> shaftAndAlong) {   // [m], [1]
+  const auto& [z, along] = shaftAndAlong;
+  Vec3 y = along - along.dot(z) * z;
+  y = y.norm() > 0.1 ? Vec3(y.normalized()) : Vec3(z.cross(Vec3::UnitZ()).normalized());
+  if (y.dot(s.memory.hand[hand].command.orientation * Vec3::UnitY()) < 0.0) y = -y;
+  Mat3 axes;
+  axes << y.cross(z), y, z;
+  return {position, Quat(axes).normalized()};
+}
+
+double longLength(const Scene& s) { return s.state.tools[kLeft].threadCoordinate - longHole(s).coordinate; }   // [m]
+
+}  // namespace
+
+const Hole& tailHole(const Scene& s) { return strand(s).holes[0]; }
+const Hole& longHole(const Scene& s) { return strand(s).holes[strand(s).holeCount - 1]; }
+
+/// Middle between the two places where the ends leave the tissue.  [m]
+Vec3 stitch(const Scene& s) {
+  const auto& x = s.state.tissue.position;
+  return 0.5 * (holePoint(s.model, tailHole(s), x) + holePoint(s.model, longHole(s), x));
+}
+
+/// Level direction from the tail's hole to the long end's.  [1]
+Vec3 strandSide(const Scene& s) {
+  const auto& x = s.state.tissue.position;
+  Vec3 d = holePoint(s.model, longHole(s), x) - holePoint(s.model, tailHole(s), x);
+  d.z() = 0.0;
+  return d.norm() > 1e-4 ? Vec3(d.normalized()) : Vec3(Vec3::UnitX());
+}
+
+Vec3 driverShaft(const Scene& s) { return (s.memory.knot.handle + kRise * Vec3::UnitZ()).normalized(); }
+
+Vec3 driverPlace(const Scene& s) { return stitch(s) + kHeight * longLength(s) * upward(s) - kUpJaws * driverShaft(s); }
+Pose driverPose(const Scene& s, double back) {   // [m] along its shaft
+  return laid(s, kRight, driverPlace(s) + back * driverShaft(s), {driverShaft(s), s.memory.knot.side});
+}
+
+double tailPlace(const Scene& s) { return std::fmin(kFromEnd, 0.5 * tailHole(s).coordinate); }   // [m]
+double longPlace(const Scene& s) {             // [m]
+  return std::fmin(longHole(s).coordinate + s.action.longEnd, s.model.strand.length - kFromEnd);
+}
+bool holdsLong(const Scene& s) {
+  const double c = s.state.tools[kLeft].threadCoordinate;   // [m]
+  return c > longHole(s).coordinate + 0.6 * s.action.longEnd && c < longHole(s).coordinate + 1.5 * s.action.longEnd;
+}
+bool holdsTail(const Scene& s) {
+  const double c = s.state.tools[kRight].threadCoordinate;   // [m]
+  return c >= 0.0 && c < tailHole(s).coordinate;
+}
+
+/// Where the winding hand is, having gone so far round the driver, with its thread all but straight if that is not too far. `driver`: the tips.
+Pose windingPose(const Scene& s, const Vec3& driver, double swept) {   // [m], [rad]
+  const KnotPlan& k = s.memory.knot;
+  const Vec3 out = cosine(swept) * k.side + sine(swept) * k.throws[k.current].over * upward(s);
+  const Vec3 loop = driver + kUpJaws * driverShaft(s);
+  const double length = longLength(s) - kSlack - kPerThrow * k.current - k.given;   // [m]
+  const Vec3 from = loop - holePoint(s.model, longHole(s), s.state.tissue.position);
+  double free = length - from.norm() - kLoop * (swept - 0.5 * kPi);      // [m] beyond the jaws
+  if (swept < 0.5 * kPi) {                     // the thread does not touch them yet: |from + free out| = length
+    const double b = from.dot(out), rest = b * b - from.squaredNorm() + length * length;   // [m], [m^2]
+    free = rest > 0.0 ? std::sqrt(rest) - b : kNearest;
+  }
+  const double distance = std::fmin(kFarthest, std::fmax(kNearest, free));   // [m]
+  return laid(s, kLeft, loop - kAhead * driverShaft(s) + distance * out, {leftShaft(s), k.side});
+}
+
+double wholeTurns(const Scene& s) { return 2.0 * kPi * s.memory.knot.throws[s.memory.knot.current].turns; }   // [rad]
+
+Pose keepTurn(const Scene& s, int hand, const Vec3& position) { return {position, s.memory.hand[hand].command.orientation}; }
+
+/// Grip on the tail from the driver's side.
+Pose tailGrip(const Scene& s) {
+  const StrandState& x = strand(s);
+  return laid(s, kRight, strandPoint(s.model.strand, x, tailPlace(s)), {driverShaft(s), strandTangent(s.model.strand, x, tailPlace(s))});
+}
+
+}  // namespace halsted::scenes

@@ -1,0 +1,37 @@
+#pragma once
+/// Where the hands of an instrument tie stand, seen from the stitch. Private to scenes/.
+#include "scenes/expert_state.h"
+#include "sim/strand/strand_state.h"
+
+namespace halsted::scenes {
+
+inline constexpr double kPerThrow = 6e-3;      // [m] of each end that a throw takes up
+
+/// Holes at which the tail and the long end leave the tissue.
+const Hole& tailHole(const Scene&);
+const Hole& longHole(const Scene&);
+
+/// Middle between the two places where the ends leave the tissue.
+Vec3 stitch(const Scene&);                     // [m]
+/// Level direction from the tail's hole to the long end's.
+Vec3 strandSide(const Scene&);                 // [1]
+/// The driver's shaft, from the tips to the handle.
+Vec3 driverShaft(const Scene&);                // [1]
+
+Pose keepTurn(const Scene&, int hand, const Vec3& position);   // [m]
+/// The tips of the driver while it is wound; and so far back along its shaft.
+Vec3 driverPlace(const Scene&);                // [m]
+Pose driverPose(const Scene&, double back);    // [m]
+/// The winding hand, having gone so far round the driver, its thread all but straight if that is not too far. `driver`: the tips.
+Pose windingPose(const Scene&, const Vec3& driver, double swept);   // [m], [rad]
+double wholeTurns(const Scene&);               // [rad]
+
+/// Coordinates at which the ends are to be taken.
+double tailPlace(const Scene&);                // [m]
+double longPlace(const Scene&);                // [m]
+bool holdsLong(const Scene&);
+bool holdsTail(const Scene&);
+/// Grip on the tail from the driver's side.
+Pose tailGrip(const Scene&);
+
+}  // namespace halsted::scenes

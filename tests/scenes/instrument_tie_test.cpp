@@ -1,0 +1,70 @@
+/// The instrument tie through the whole step: two tools, one thread, no helping hand from the program.
+#include <gtest/gtest.h>
+
+#include "sim/strand/knot_diagram.h"
+#include "tests/scenes/tied_wall.h"
+#include "tests/sim/tensile_test.h"
+
+namespace halsted {
+namespace {
+
+constexpr double kWanted = 5.0;                // [N] that a knot must bear
+
+struct Tied : TiedWall {
+  Tied(const std::string& throws, const std::string& newtons, const std::string& then = "") {
+    const std::string tie = "[[action]]\ndo = \"tie\"\ntie = \"" + throws + "\"\ntension_n = " + newtons + "\nlimit_s = 120\n";
+    EXPECT_TRUE(act(tie + then)) << failure;
+    EXPECT_EQ(state.threadContacts.dropped, 0) << "thread has passed through thread";
+    EXPECT_EQ(seen(Quantity::kThreadBreaks), 0);
+  }
+  std::string reading() const { return knotName(readKnot(state.strand.position)); }
+  double stitchTension() const {               // [N] in the thread inside the wall
+    const StrandState& s = state.strand;
+    return strandTension(model.strand, s, 0.5 * (s.holes[0].coordinate + s.holes[s.holeCount - 1].coordinate), 1);
+  }
+  /// What the stitch keeps a second after both hands have let go.  [N]
+  double stitchLeftAlone() {
+    const double drawn = stitchTension();      // [N]
+    EXPECT_TRUE(act("[[action]]\ndo = \"let_go\"\n[[action]]\ndo = \"hold\"\nlimit_s = 1\n")) << failure;
+    std::printf("%s: stitch at %.2f N, %.3f N when the hands have let go\n", reading().c_str(), drawn, stitchTension());
+    return stitchTension();
+  }
+  TensileTest::Result pull() const {
+    const TensileTest::Result r = TensileTest(*this).load(kWanted);
+    std::printf("%s after %.1f s: bore %.2f N, opened %.2f mm, %s\n", reading().c_str(), state.step * model.params.dt, r.most, 1e3 * r.gained,
+                r.held ? "holds" : "slips");
+    return r;
+  }
+};
+
+TEST(InstrumentTie, ASingleThrowIsReadAndSlips) {
+  Tied w("1", "3.0");
+  EXPECT_EQ(w.reading(), "half hitch");
+  EXPECT_EQ(w.seen(Quantity::kThrows), 1);
+  EXPECT_EQ(w.seen(Quantity::kKnotLocks), 0);
+  const TensileTest::Result r = w.pull();
+  EXPECT_FALSE(r.held);
+  EXPECT_LT(r.most, 1.0);
+  EXPECT_LT(w.stitchLeftAlone(), 0.02);        // [N] under a single throw the stitch gives up all its tension
+}
+
+TEST(InstrumentTie, ASecondThrowOfOppositeSenseMakesASquareKnotThatHolds) {
+  Tied w("1=1", "3.0");
+  EXPECT_EQ(w.reading(), "square");
+  EXPECT_EQ(w.seen(Quantity::kThrows), 2);
+  EXPECT_EQ(w.seen(Quantity::kKnotLocks), 1);
+  EXPECT_EQ(w.seen(Quantity::kWrongThrows), 0);
+  EXPECT_TRUE(w.pull().held);
+  EXPECT_GT(w.stitchLeftAlone(), 0.05);        // [N] under a square knot it keeps some
+}
+
+/// Both hands open before the throw is drawn tight: nothing is left that bears anything.
+TEST(InstrumentTie, LettingGoBeforeTighteningUndoesIt) {
+  const Tied w("1", "0.05", "[[action]]\ndo = \"let_go\"\n[[action]]\ndo = \"hold\"\nlimit_s = 1\n");
+  EXPECT_EQ(w.state.tools[kLeft].threadCoordinate, -1.0);
+  EXPECT_EQ(w.state.tools[kRight].threadCoordinate, -1.0);
+  EXPECT_LT(w.pull().most, 0.2);
+}
+
+}  // namespace
+}  // namespace halsted
