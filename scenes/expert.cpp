@@ -25,6 +25,7 @@ constexpr NumberKey kSutureNumbers[] = {
     {"tilt_deg", &ExpertAction::tilt, -45.0, 45.0, 1.0},
     {"width_mm", &ExpertAction::width, 2.0, 14.0, 1e-3},            {"pull_mm", &ExpertAction::pull, 0.0, 300.0, 1e-3},
     {"tension_n", &ExpertAction::tension, 0.05, 20.0, 1.0},         {"limit_s", &ExpertAction::seconds, 0.01, 600.0, 1.0},
+    {"tail_mm", &ExpertAction::tail, 10.0, 120.0, 1e-3},
     {"long_end_mm", &ExpertAction::longEnd, 30.0, 120.0, 1e-3},
 };
 constexpr NumberKey kNeedleNumbers[] = {
@@ -33,7 +34,7 @@ constexpr NumberKey kNeedleNumbers[] = {
     {"period_s", &ExpertAction::period, 0.2, 20.0, 1.0},            {"speed_mm_s", &ExpertAction::speed, 0.1, 200.0, 1e-3},
     {"distance_mm", &ExpertAction::distance, 1.0, 60.0, 1e-3},      {"limit_s", &ExpertAction::seconds, 0.01, 600.0, 1.0},
 };
-constexpr const char* kSutureKinds[] = {"bite", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go", "hold"};
+constexpr const char* kSutureKinds[] = {"bite", "draw", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go", "hold"};
 constexpr const char* kNeedleKinds[] = {"find", "press", "insert", "twirl", "lift_thrust", "withdraw"};
 
 bool isOneOf(std::span<const char* const> kinds, const std::string& text) {
@@ -68,7 +69,7 @@ std::string readKind(const toml::table& table, const std::string& origin) {
   if (!node) throw InputError(whereIs(origin, table, "action") + ": has no do");
   const std::string where = whereIs(origin, *node, "action.do"), kind = requireText(*node, where);
   if (isOneOf(kSutureKinds, kind) || isOneOf(kNeedleKinds, kind)) return kind;
-  throw InputError(where + ": '" + quoted(kind) + "' is not one of bite, take_tails, tighten, tie, cut, take_stay, traction, let_go, hold, find, press, insert, twirl, lift_thrust, withdraw");
+  throw InputError(where + ": '" + quoted(kind) + "' is not one of bite, draw, take_tails, tighten, tie, cut, take_stay, traction, let_go, hold, find, press, insert, twirl, lift_thrust, withdraw");
 }
 
 int readCycles(const toml::node& node, const std::string& where) {

@@ -14,7 +14,7 @@
 namespace halsted::scenes {
 
 struct ExpertAction {
-  std::string kind;                            // a suture's: "bite", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go",
+  std::string kind;                            // a suture's: "bite", "draw", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go",
                                                // "hold": see scenes/expert_run.cpp
                                                // a needle's: "find", "press", "insert", "twirl", "lift_thrust", "withdraw", "hold"
   double angleDegrees = 0.0;                   // angle_deg [deg] round the opening, 0 at +x, counter-clockwise seen by the surgeon; of a needle
@@ -26,7 +26,8 @@ struct ExpertAction {
   double sink = 0.0;                           // sink_mm [m] deeper than the places ask: through the mucosa and back
   double tilt = 0.0;                           // tilt_deg [deg] of the needle's plane, lifts the driver's shaft off the wall
   double width = 6e-3;                         // width_mm [m] entry to exit, clockwise along the rim
-  double pull = 0.03;                          // pull_mm [m] of thread drawn through after the bite
+  double pull = 0.03;                          // pull_mm [m] of thread drawn through after the bite, or by "draw"
+  double tail = 0.0;                           // tail_mm [m] of thread between the stitch and the jaws that take it; 0: where it is clear and near
   double tension = 1.0;                        // tension_n [N] at which tightening stops
   double seconds = 60.0;                       // limit_s [s] of the action; of a hold, its length
   std::string tie;                             // tie: throws as surgeons write them, "1=1", "2=1=1", "1x1"

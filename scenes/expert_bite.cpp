@@ -23,6 +23,9 @@ constexpr double kPullSpeed = 0.06;            // [m/s] thread through
 constexpr double kReach = 0.065;               // [m] an arm's move inside the device's workspace
 constexpr double kCounterDepth = 2.5e-3;       // [m] from the rim: where the forceps hold the wall against the needle
 constexpr double kHalfWall = 1e-3;             // [m]
+constexpr int kBesides = 6;                    // places for the forceps beside the thread
+constexpr double kBeside = 8.0;                // [deg] from one to the next
+constexpr double kRoom = 6e-3, kRoomGained = 0.5e-3;             // [m] from the thread: no better with more; worth going farther
 constexpr double kReachable = 0.5;             // [1] an opening that faces less toward the surgeon lets no forceps in: the needle goes in without
 
 enum Phase {
@@ -142,11 +145,32 @@ Pose counterGrip(const Scene& s) {
   return {wall - kHalfWall * out, Quat(axes).normalized()};
 }
 
+double nearestThread(const Scene& s, const TissuePlace& place) {   // [m]
+  const Vec3 p = positionOf(s.model, s.state, place);
+  double least = 1e300;                        // [m]
+  for (const Vec3& node : s.state.strand.position) least = std::fmin(least, (node - p).norm());
+  return least;
+}
+
+/// Between two ends the thread hangs where the forceps go: they take the wall beside it.
+void besideThread(const Scene& s) {
+  ExpertState& e = s.memory;
+  double best = -1.0;                          // [m]
+  for (int i = 0; i <= kBesides; ++i) {
+    const double off = (i % 2 ? 1.0 : -1.0) * ((i + 1) / 2) * kBeside;           // [deg]
+    const TissuePlace place = placeOnWall(s.model, {s.action.bowel, e.plan.middleDegrees + off, kCounterDepth});
+    if (place.triangle < 0) continue;
+    const double room = std::fmin(kRoom, nearestThread(s, place));               // [m]
+    if (room > best + kRoomGained) { best = room; e.counter = place; }
+  }
+}
+
 /// The driver keeps the needle clear while the other hand takes hold of the rim.
 void hold(const Scene& s) {
   ExpertState& e = s.memory;
   moveHand(s, kRight, toolFor(s, kRight, onCircle(s, kClear * e.plan.out)), 0.10);
   if (s.model.bowels.opening[s.action.bowel].axis.z() < kReachable) return goTo(s, kNear);
+  if (s.inPhase < 1.5 * s.dt && e.phase == kHold && s.state.metrics.seam) besideThread(s);
   if (pickUp(s, kLeft, counterGrip(s), kHold)) nextPhase(s);
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double kCrossSpeed = 0.05;           // [m/s]
 constexpr double kPass = 8e-3;                 // [m] one hand passes in front of the other
 constexpr double kSlack = 0.9;                 // [1] of the tail's length: it is not drawn while the hands cross
-constexpr double kRise = 1.0;                  // [1] up over sideways, of the drawn tails: the tools stay clear of the walls
+constexpr double kRise = 0.6;                  // [1] up over sideways, of the drawn tails: flat, or they lift the stitch; the tools stay clear of the walls
 constexpr double kDraw = 0.02;                 // [m/s]
 constexpr double kReach = 0.06;                // [m] as far as an arm draws
 constexpr double kFeel = 0.5, kFeelTime = 0.1; // [N], [s]
@@ -21,7 +21,8 @@ constexpr double kHoldTight = 0.5;             // [s] after the knot has locked,
 constexpr double kWallsMeet = 0.25e-3;         // [m]
 constexpr double kTight = 0.6;                 // [1] of the speed: next to nothing comes any more
 constexpr double kGive = 8e-3;                 // [m] back, when the knot is to be left alone
-constexpr double kPatience = 4.0;              // [s] tight and still apart: this is as far as it goes
+constexpr double kPatience = 2.0;              // [s] tight and still apart: this is as far as it goes
+constexpr double kSeated = 0.5;                // [s] that the knot has been drawn on the tissue: more would only cut in
 
 enum Phase { kLook, kPassBy, kCross, kDrawApart, kGiveWay };
 
@@ -90,7 +91,8 @@ void begin(const Scene& s, std::string& failure) {
   e.phase = kDrawApart;
 }
 
-/// Each hand draws its tail outward until it feels the tension; true once the walls have met for a moment, or nothing more comes.
+/// Each hand draws its tail outward until it feels the tension; true once the walls have met for a moment, the knot lies on them, or nothing
+/// more comes.
 bool drawApart(const Scene& s) {
   ExpertState& e = s.memory;
   const Frame f = frameOf(s);
@@ -104,6 +106,7 @@ bool drawApart(const Scene& s) {
     moveHand(s, h, {e.goal[h].position + e.drawn[h] * out, e.goal[h].orientation}, 0.1);
   }
   e.settled = s.state.metrics.seam->join.wallGap < kWallsMeet ? e.settled + s.dt : 0.0;
+  if (s.action.kind == "tie" && s.state.assist->seated > kSeated) return true;
   e.stuck = std::fmax(0.0, e.stuck + (fastest < kTight ? s.dt : -s.dt));   // what is felt swings
   return e.settled > kHoldTight || e.stuck > kPatience;
 }
@@ -113,6 +116,7 @@ bool drawApart(const Scene& s) {
 bool runCrossed(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   if (e.phase == kLook) { begin(s, failure); return false; }
+  if (s.state.strand.holeCount < 2) { failure = "the thread has left the tissue"; return false; }
   if (e.phase == kGiveWay) {
     for (int h = 0; h < kHands; ++h) moveHand(s, h, e.goal[h], kCrossSpeed);
     return s.state.assist->locked && s.inPhase > kHoldTight;

@@ -11,6 +11,7 @@ constexpr double kApproach = 0.02;             // [m] above what is to be picked
 
 bool runAction(const Scene& scene, std::string& failure) {
   if (scene.action.kind == "bite") return runBite(scene, failure);
+  if (scene.action.kind == "draw") return runDraw(scene, failure);
   if (scene.action.kind == "cut") return runCut(scene, failure);
   if (scene.action.kind == "traction") return runTraction(scene, failure);
   if (scene.action.kind == "take_tails" || scene.action.kind == "take_stay") return runTakeTails(scene, failure);

@@ -57,6 +57,7 @@ struct Scene {
 
 /// One bite, from the approach to the thread drawn through. Each returns true when the action is finished.
 bool runBite(const Scene&, std::string& failure);
+bool runDraw(const Scene&, std::string& failure);
 bool runTakeTails(const Scene&, std::string& failure);
 bool runTighten(const Scene&, std::string& failure);
 bool runCut(const Scene&, std::string& failure);

@@ -3,6 +3,7 @@
 
 #include "scenes/expert_state.h"
 #include "sim/strand/strand.h"
+#include "sim/suture/holes.h"
 
 namespace halsted::scenes {
 namespace {
@@ -11,8 +12,10 @@ constexpr double kBlades = 9.5e-3;             // [m] from the driver's tips
 constexpr double kBeyondHand = 12e-3;          // [m] past the hand that holds the long end
 constexpr double kHanging = 22e-3;             // [m] below the driver that holds it
 const Vec3 kLift(0.0, 25e-3, 15e-3);           // [m] so high that its end hangs free
+constexpr double kLoose = 0.9;                 // [1] of the way that its thread allows: lifted, it does not pull on the stitch
 constexpr double kStub = 50e-3;                // [m] of thread left at the stitch where no hand holds it
 constexpr double kTractionSpeed = 0.015, kTractionReach = 0.08;  // [m/s] [m]
+constexpr double kMostGiven = 0.02;            // [m] a tail that was taken too tight is let back
 constexpr double kFeelTime = 0.1, kFeel = 0.3; // [s] [N]
 constexpr double kHeld = 2.0;                  // [s]
 constexpr int kAttempts = 4;
@@ -31,6 +34,14 @@ double cutPlace(const Scene& s) {
   const double held = s.state.tools[kLeft].threadCoordinate;     // [m]
   const double place = held > lastHole(s) ? held + kBeyondHand : lastHole(s) + kStub;
   return std::fmin(place + 4e-3 * s.memory.attempt, s.model.strand.length - 6e-3);
+}
+
+/// Where the hand that holds the long end lifts it to.  [m]
+Vec3 lifted(const Scene& s) {
+  const Hole& h = s.state.strand.holes[s.state.strand.holeCount - 1];
+  const Vec3 from = holePoint(s.model, h, s.state.tissue.position), goal = s.memory.hand[kLeft].command.position + kLift;   // [m]
+  const double most = kLoose * (s.state.tools[kLeft].threadCoordinate - h.coordinate);   // [m]
+  return from + std::fmin(1.0, most / (goal - from).norm()) * (goal - from);
 }
 
 /// While the driver still holds the long end, the other hand lets its own tail go, takes the thread that hangs from the driver, and lifts
@@ -63,12 +74,12 @@ bool runCut(const Scene& s, std::string& failure) {
     if (s.inPhase < 1.5 * s.dt) {
       e.goal[kRight] = above(driver.command, 0.03);
       e.goal[kLeft] = e.hand[kLeft].command;
-      if (s.state.tools[kLeft].threadCoordinate > lastHole(s)) e.goal[kLeft].position += kLift;
+      if (s.state.tools[kLeft].threadCoordinate > lastHole(s)) e.goal[kLeft].position = lifted(s);
     }
     driver.jaw = s.inPhase < 0.2 ? 0.0 : 1.0;
     if (s.inPhase < 0.5) return false;
-    const bool lifted = moveHand(s, kLeft, e.goal[kLeft], 0.04);
-    if (!moveHand(s, kRight, e.goal[kRight], 0.08) || !lifted) return false;
+    const bool up = moveHand(s, kLeft, e.goal[kLeft], 0.04);
+    if (!moveHand(s, kRight, e.goal[kRight], 0.08) || !up) return false;
     e.cutsBefore = s.state.knot.cuts;
     e.place = cutPlace(s);
     nextPhase(s);
@@ -105,7 +116,7 @@ bool runTraction(const Scene& s, std::string& failure) {
   for (int h = 0; h < kHands; ++h) {
     e.felt[h] += s.dt / kFeelTime * (s.state.tools[h].threadForce.norm() - e.felt[h]);
     const double pace = std::fmax(-1.0, std::fmin(1.0, (s.action.tension - e.felt[h]) / kFeel));   // [1]
-    e.drawn[h] = std::fmin(kTractionReach, std::fmax(0.0, e.drawn[h] + pace * kTractionSpeed * s.dt));
+    e.drawn[h] = std::fmin(kTractionReach, std::fmax(-kMostGiven, e.drawn[h] + pace * kTractionSpeed * s.dt));
     pulled = pulled && e.felt[h] > 0.7 * s.action.tension;
     const Vec3 way = Vec3(h == kLeft ? -0.3 : 0.3, 0.6, 0.7).normalized();
     moveHand(s, h, {e.goal[h].position + e.drawn[h] * way, e.goal[h].orientation}, 0.1);

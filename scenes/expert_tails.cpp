@@ -3,6 +3,7 @@
 #include "scenes/expert_state.h"
 #include "sim/contact/surface.h"
 #include "sim/strand/strand.h"
+#include "sim/suture/knotting.h"
 
 namespace halsted::scenes {
 namespace {
@@ -22,6 +23,8 @@ constexpr double kTight = 0.3;                 // [1] of the speed: nothing come
 constexpr double kHoldTight = 1.5;             // [s]
 constexpr double kSnug = 0.15, kClosed = 0.13; // [1] of the opening at rest: it lies on the anvil; no need to draw any more
 constexpr double kWallsMeet = 2e-3;            // [m] of gap between two ends that looks as open as an opening at rest
+constexpr double kDrawSpeed = 0.04, kDrawReach = 0.06;           // [m/s] [m] of one stroke
+const Vec3 kDrawWay = Vec3(0.5, 0.6, 0.6).normalized();          // [1] of the driver: up, toward the surgeon, to its own side
 
 /// Distance of a place on the thread from the wall and from the rest of the thread: jaws that close there take hold of nothing else.  [m]
 double clearance(const Scene& s, double coordinate) {
@@ -34,13 +37,14 @@ double clearance(const Scene& s, double coordinate) {
   return std::fmin(clear, kClear);
 }
 
-/// Where to take the thread that leaves the stitch at `stitch`, tail (`way` -1) or needle side (+1): clear, not far, and not where it
-/// was just missed.  [m] [1]
+/// Where to take the thread that leaves the stitch at `stitch`, tail (`way` -1) or needle side (+1): clear, not far (or as far as the
+/// action says), not past where it is cut, and not where it was just missed.  [m] [1]
 double thinkOfPlace(const Scene& s, double stitch, double way) {
-  double best = stitch + way * kLeast, bestScore = -1.0;                                         // [m], [m]
-  for (double off = kLeast; off < kMost; off += kStep) {
+  const double least = s.action.tail > 0.0 ? s.action.tail : kLeast, end = threadEnd(s.model, s.state, stitch);   // [m]
+  double best = stitch + way * least, bestScore = -1.0;                                          // [m], [m]
+  for (double off = least; off < std::fmax(kMost, least + kStep); off += kStep) {
     const double c = stitch + way * off;
-    if (c < kEnd || c > s.model.strand.length - kEnd) break;
+    if (c < kEnd || c > end - kEnd) break;
     double score = clearance(s, c) - kNear * off;                                                // [m]
     const Vec3 at = strandPoint(s.model.strand, s.state.strand, c);
     if (at.y() < kLowest || at.z() < kDeepest) score -= kClear;
@@ -104,6 +108,29 @@ bool runTakeTails(const Scene& s, std::string& failure) {
     if (s.inPhase > 0.3 && moveHand(s, kLeft, e.goal[kLeft], 0.08)) { e.place = tailPlace(s); nextPhase(s); }
   } else {
     return takeThread(s, kLeft, 5, tailPlace);
+  }
+  return false;
+}
+
+/// Hand over hand: while the forceps keep the needle, the driver takes the thread by the stitch and draws it through, stroke after stroke,
+/// until so much has come. Phases 1 to 3: it takes hold. 4: it draws.
+bool runDraw(const Scene& s, std::string& failure) {
+  ExpertState& e = s.memory;
+  if (s.state.strand.holeCount < 2) { failure = "there is no stitch in the tissue"; return false; }
+  if (e.phase == 0) {
+    e.place = needlePlace(s);
+    nextPhase(s);
+  } else if (e.phase <= 3) {
+    if (!takeThread(s, kRight, 1, needlePlace)) return false;
+    e.goal[kRight] = e.hand[kRight].command;
+    e.drawn[kRight] = 0.0;
+    nextPhase(s);
+  } else {
+    const double through = s.model.strand.length - s.state.strand.holes[s.state.strand.holeCount - 1].coordinate;   // [m]
+    if (through >= s.action.pull) return true;
+    e.drawn[kRight] += kDrawSpeed * s.dt;
+    moveHand(s, kRight, {e.goal[kRight].position + e.drawn[kRight] * kDrawWay, e.goal[kRight].orientation}, 0.1);
+    if (e.drawn[kRight] > kDrawReach) e.phase = 0;
   }
   return false;
 }

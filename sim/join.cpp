@@ -6,6 +6,7 @@
 #include "sim/model.h"
 #include "sim/state.h"
 #include "sim/suture/holes.h"
+#include "sim/suture/knotting.h"
 
 namespace halsted {
 namespace {
@@ -154,8 +155,10 @@ JoinMetrics measureJoin(const Model& m, const State& s) {
   const StrandState& strand = s.strand;
   for (int i = 0; i + 1 < strand.holeCount; ++i)
     join.crossings += bowelOf(m, strand.holes[i]) != bowelOf(m, strand.holes[i + 1]);
-  if (strand.holeCount > 0)
-    join.tailDifference = std::fabs(strand.holes[0].coordinate - (m.strand.length - strand.holes[strand.holeCount - 1].coordinate));
+  if (strand.holeCount > 0) {
+    const double last = strand.holes[strand.holeCount - 1].coordinate;       // [m]
+    join.tailDifference = std::fabs(strand.holes[0].coordinate - (threadEnd(m, s, last) - last));
+  }
   if (join.crossings == 0) { join.rimGap = join.wallGap = m.join.restGap; return join; }
   const std::array<SewnStretch, 2> sewn{sewnOn(m, strand, 0), sewnOn(m, strand, 1)};
   for (int bowel = 0; bowel < 2; ++bowel) measureStretch(m, s.tissue.position, bowel, sewn[bowel], join);

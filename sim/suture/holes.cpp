@@ -4,6 +4,7 @@
 
 #include "sim/lanes.h"
 #include "sim/suture/cut.h"
+#include "sim/suture/hole_limits.h"
 #include "sim/suture/knotting.h"
 
 namespace halsted {
@@ -11,8 +12,9 @@ namespace {
 
 constexpr double kNeedleFriction = 0.10;       // [1] polished steel in wet tissue, along the arc (design)
 constexpr double kMostSlide = 1e-3;            // [m] a step: 1 m/s of thread through a hole
-constexpr double kOutOfHole = 0.3e-3;          // [m] the tip is this far out of a hole before the hole counts as left
-constexpr double kClearOfKnot = 0.5e-3;        // [m] a knot does not go through its hole
+// Taut thread from bowel to bowel slides through the holes at both its ends, and each of them would make up for the whole misfit. A share
+// of it a step: at a third the pair of holes still chatters, at a tenth a drawn stitch comes to rest (tuned: the laws of AssistKnot).
+constexpr double kSharedSlide = 0.1;           // [1]
 constexpr double kWithdrawForce = 0.02;        // [N] drag on a tip drawn back along its own cut (design)
 
 bool onNeedle(const Model& m, const Hole& h) { return h.coordinate > m.strand.length; }
@@ -82,33 +84,6 @@ StrandLink holeLink(const Model& m, const StrandState& s, const Hole& h, const V
   return link;
 }
 
-/// The strand between two holes cannot be shorter than the straight way between them: how far a coordinate may go.
-double withinReach(const Model& m, const State& state, int i, double wanted) {
-  const StrandState& s = state.strand;
-  const HoleWork& w = state.work.holes;
-  const AssistKnot* knot = state.assist && state.assist->placed ? &*state.assist : nullptr;
-  constexpr double kStraight = 0.9;            // [1] of the way: the tissue still answers to this step's forces, and needles are bent
-  const auto least = [&](int other) { return kStraight * (w.point[i] - w.point[other]).norm(); };
-  double low = -1.0, high = tipCoordinate(m.strand) + 2.0 * kOutOfHole;
-  if (i > 0) low = s.holes[i - 1].coordinate + least(i - 1);
-  if (i + 1 < s.holeCount) high = s.holes[i + 1].coordinate - least(i + 1);
-  if (knot && i == 0) low = std::fmax(low, knot->tail + kClearOfKnot);
-  if (knot && i + 1 == s.holeCount) high = std::fmin(high, knot->tip - kClearOfKnot);
-  const double here = s.holes[i].coordinate;   // never thrown back by a neighbour that is already too near
-  low = std::fmin(low, here);
-  high = std::fmax(high, here);
-  return wanted < low ? low : (wanted > high ? high : wanted);
-}
-
-/// Does a knot lie on this hole, on the side from which thread would come? It does not go through: the hole carries what it is pulled with.
-bool heldByKnot(const State& state, int i, double along) {     // [N]
-  if (!state.assist || !state.assist->placed) return false;
-  const AssistKnot& knot = *state.assist;
-  const double here = state.strand.holes[i].coordinate;
-  if (along < 0.0) return i == 0 && here <= knot.tail + kClearOfKnot;
-  return i + 1 == state.strand.holeCount && here >= knot.tip - kClearOfKnot;
-}
-
 /// Stick or slip along the strand after the solve; returns the force the hole now carries.
 Vec3 settleFriction(const Model& m, State& state, int i, const Vec3& solved) {
   StrandState& s = state.strand;
@@ -118,17 +93,19 @@ Vec3 settleFriction(const Model& m, State& state, int i, const Vec3& solved) {
   const double along = solved.dot(t);
   if (h.slip == 0) {
     const double bound = frictionBound(m, s, h);
-    if (magnitude(along) <= bound || heldByKnot(state, i, along)) return solved;
+    if (magnitude(along) <= bound || blocked(m, state, i, along)) return solved;
     h.slip = along > 0.0 ? 1 : -1;
     return solved - (along - h.slip * bound) * t;
   }
   const Vec3 point = w.point[i] - w.self[i] * (solved - h.force);
-  const double slide = t.dot(point - strandPoint(m.strand, s, h.coordinate));   // [m]
-  if (h.slip * slide < 0.0 || heldByKnot(state, i, h.slip)) { h.slip = 0; return solved; }
+  const bool shared = leadsToOtherBowel(m, s, i, 1) || leadsToOtherBowel(m, s, i, -1);
+  const double slide = (shared ? kSharedSlide : 1.0) * t.dot(point - strandPoint(m.strand, s, h.coordinate));   // [m]
+  if (h.slip * slide < 0.0 || blocked(m, state, i, h.slip)) { h.slip = 0; return solved; }
   const double tip = tipCoordinate(m.strand);                  // past the tip there is no strand: the way out of the hole counts
   const double from = h.coordinate < tip ? h.coordinate : tip;
   const double wanted = from + (magnitude(slide) > kMostSlide ? h.slip * kMostSlide : slide);
   h.coordinate = withinReach(m, state, i, wanted);  // at its limit it slides on: the straight strand inside carries the pull to its neighbour
+  if (h.coordinate != wanted && leadsToOtherBowel(m, s, i, h.slip)) h.slip = 0;   // no wall is there to lead it: it carries its own
   return solved;
 }
 

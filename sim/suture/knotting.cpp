@@ -65,7 +65,10 @@ class Substeps {
     solid.friction = model_.params.contact.threadToolFriction;
     const int hand = solidHand(k);
     const double held = hand >= 0 ? state_.tools[hand].threadCoordinate : -1.0;   // [m]
-    if (held >= 0.0) {
+    if (hand >= 0 && k % kSolidsPerTool < 2 && state_.tools[hand].holdsNeedle) {   // closed on it: thread between the jaws is not crushed
+      solid.freeFrom = 0.0;
+      solid.freeTo = model_.strand.length;
+    } else if (held >= 0.0) {
       solid.freeFrom = held - kJawReach;
       solid.freeTo = held + kJawReach;
     }
@@ -128,6 +131,13 @@ void settleToolForces(State& s) {
 bool partedAt(const Model& m, const State& s, double coordinate) {
   if (s.threadContacts.cut.empty() || coordinate > m.strand.length) return false;
   return s.threadContacts.cut[threadSpot(m.strand, coordinate).node] != 0;
+}
+
+double threadEnd(const Model& m, const State& s, double coordinate) {
+  if (s.threadContacts.cut.empty() || coordinate > m.strand.length) return m.strand.length;
+  for (int i = threadSpot(m.strand, coordinate).node; i + 1 < m.strand.nodes; ++i)
+    if (s.threadContacts.cut[i]) return m.strand.place[i];
+  return m.strand.length;
 }
 
 }  // namespace halsted

@@ -26,4 +26,7 @@ void settleToolForces(State&);
 /// Whether the thread is parted at a coordinate: what slides or grips there has come to an end.
 bool partedAt(const Model&, const State&, double coordinate);   // [m]
 
+/// Where the thread comes to an end on the needle's side of a coordinate: at the swage, or where it is parted.  [m]
+double threadEnd(const Model&, const State&, double coordinate);   // [m]
+
 }  // namespace halsted

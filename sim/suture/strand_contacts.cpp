@@ -120,6 +120,14 @@ Vec3 acrossThread(const Model& m, const StrandState& s, const Sample& x, const V
   return across.squaredNorm() > kEndOn * kEndOn ? Vec3(across.normalized()) : normal;
 }
 
+/// The push of the last step that still counts. Thread caught between two walls meets now the one, now the other: what the one pushed is
+/// not the other's push, or the two would pump each other up.  [N] [1]
+double carriedPush(const Model& m, const Sample& x, const StrandContact* old, const Vec3& normal) {
+  if (!old) return 0.0;
+  if (!m.params.thread.knots || x.index >= m.strand.nodes) return old->normalForce;
+  return std::fmin(old->normalForce, std::fmax(0.0, old->force.dot(normal)));
+}
+
 void touchTissue(const Model& m, const Sample& x, State& state, int& fresh) {
   StrandState& s = state.strand;
   const auto& tissue = state.tissue.position;
@@ -140,7 +148,8 @@ void touchTissue(const Model& m, const Sample& x, State& state, int& fresh) {
   t.stiffness = 1.0 / (crowd * kTissueShare * triangleCompliance(m, near.triangle, near.weight) + 1e-5);
   const int triangles = static_cast<int>(m.surface.triangles.size());
   const StrandContact* old = previousContact(s, x.index, near.triangle, true, triangles);
-  t.record = {x.index, near.triangle, old ? old->normalForce : 0.0, old ? old->force : Vec3(Vec3::Zero()), near.weight};
+  t.record = {x.index, near.triangle, carriedPush(m, x, old, t.normal), old ? old->force : Vec3(Vec3::Zero()), near.weight};
+  if (m.params.thread.knots && t.record.normalForce <= 0.0) t.record.force.setZero();
   offerTouch(m, x, t, state, fresh);
 }
 
