@@ -66,6 +66,18 @@ std::vector<std::uint32_t> threadShadowIndices(int nodes) {
   return indices;
 }
 
+namespace {
+
+/// Thread does not stretch: nodes much farther apart than those beside them have a cut between them, and nothing is drawn there.
+bool isGap(const std::vector<Vec3>& nodes, int segment) {
+  constexpr double kParted = 3.0;            // [1]
+  const auto length = [&](int i) { return i >= 0 && i + 1 < static_cast<int>(nodes.size()) ? (nodes[i + 1] - nodes[i]).norm() : 0.0; };   // [m]
+  const double beside = std::max(length(segment - 1), length(segment + 1));      // [m]
+  return segment >= 0 && beside > 0.0 && length(segment) > kParted * beside;
+}
+
+}  // namespace
+
 void updateThread(const std::vector<Vec3>& nodes, const std::vector<double>& twist, double radius, Tube& tube) {
   const int count = static_cast<int>(nodes.size()), rings = (count - 1) * kPerSegment + 1;
   if (count < 2 || tube.vertices.size() != static_cast<std::size_t>(rings) * (Tube::kSides + 1)) return;
@@ -73,7 +85,9 @@ void updateThread(const std::vector<Vec3>& nodes, const std::vector<double>& twi
   const auto angle = [&](int i) { return i < static_cast<int>(twist.size()) ? twist[i] : 0.0; };
   const auto place = [&](int ring) {
     const int i = std::min(ring / kPerSegment, count - 2);
-    return spline(node(i - 1), node(i), node(i + 1), node(i + 2), static_cast<double>(ring) / kPerSegment - i);
+    const double t = static_cast<double>(ring) / kPerSegment - i;                 // [1]
+    if (isGap(nodes, i) && t > 0.0) return t < 0.5 ? node(i) : node(i + 1);
+    return spline(isGap(nodes, i - 1) ? node(i) : node(i - 1), node(i), node(i + 1), isGap(nodes, i + 1) ? node(i + 1) : node(i + 2), t);
   };
   RingFrame frame{place(0), Vec3::UnitX(), Vec3::UnitY(), radius, 0.0, 0.0};
   Vec3 ahead = place(1), direction = (ahead - frame.centre).normalized();
@@ -91,6 +105,7 @@ void updateThread(const std::vector<Vec3>& nodes, const std::vector<double>& twi
     const int i = std::min(ring / kPerSegment, count - 2);
     const double t = static_cast<double>(ring) / kPerSegment - i;                 // [1]
     frame.twist = (1.0 - t) * angle(i) + t * angle(i + 1);
+    frame.radius = isGap(nodes, i) && t > 0.0 ? 0.0 : radius;
     writeRing(frame, ring, tube);
   }
 }

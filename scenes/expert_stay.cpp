@@ -13,6 +13,7 @@ constexpr double kBeyondHand = 12e-3;          // [m] past the hand that holds t
 constexpr double kHanging = 22e-3;             // [m] below the driver that holds it
 const Vec3 kLift(0.0, 25e-3, 15e-3);           // [m] so high that its end hangs free
 constexpr double kLoose = 0.9;                 // [1] of the way that its thread allows: lifted, it does not pull on the stitch
+constexpr double kByTheNeedle = 3e-3;          // [m] no nearer to it
 constexpr double kStub = 50e-3;                // [m] of thread left at the stitch where no hand holds it
 constexpr double kTractionSpeed = 0.015, kTractionReach = 0.08;  // [m/s] [m]
 constexpr double kMostGiven = 0.02;            // [m] a tail that was taken too tight is let back
@@ -29,11 +30,11 @@ void goTo(const Scene& s, int phase) {
 
 double lastHole(const Scene& s) { return s.state.strand.holes[s.state.strand.holeCount - 1].coordinate; }   // [m]
 
-/// Where the thread is to be cut: between the hand that holds it and the needle.  [m]
+/// Where the thread is to be cut: between the hand that holds it and the needle, where the two tails come out even.  [m]
 double cutPlace(const Scene& s) {
-  const double held = s.state.tools[kLeft].threadCoordinate;     // [m]
-  const double place = held > lastHole(s) ? held + kBeyondHand : lastHole(s) + kStub;
-  return std::fmin(place + 4e-3 * s.memory.attempt, s.model.strand.length - 6e-3);
+  const double held = s.state.tools[kLeft].threadCoordinate, last = lastHole(s);   // [m]
+  const double least = held > last ? held + kBeyondHand : last + kStub, even = last + s.state.strand.holes[0].coordinate;   // [m]
+  return std::fmin(std::fmax(least, even - 4e-3 * s.memory.attempt), s.model.strand.length - kByTheNeedle);
 }
 
 /// Where the hand that holds the long end lifts it to.  [m]

@@ -52,7 +52,7 @@ Bowels findBowels(const TetMesh& mesh) {
   for (int bowel = 0; bowel < b.count; ++bowel) b.opening.push_back(openingOf(b, bowel, mesh.vertices));
   b.wallDepth.assign(mesh.vertices.size(), 0.5);
   for (const int layer : {1, 0}) {             // a corner of both, at a cut edge of a wall that is one tet thin, counts as serosa
-    for (std::size_t f = 0; f < mesh.surface.size(); ++f) {
+    for (std::size_t f = 0; f < mesh.surface.size() && f < mesh.triangleLayer.size(); ++f) {   // a mesh may name none
       if (mesh.triangleLayer[f] != layer) continue;
       for (int v : mesh.surface[f]) b.wallDepth[v] = layer;
     }

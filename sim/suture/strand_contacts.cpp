@@ -128,6 +128,17 @@ double carriedPush(const Model& m, const Sample& x, const StrandContact* old, co
   return std::fmin(old->normalForce, std::fmax(0.0, old->force.dot(normal)));
 }
 
+/// Does the thread go right through the wall between the sample before, whose contact is the last one found, and this one? Fine nodes lie
+/// closer than the wall is thick: pushed out on either side they would pull the thread apart, and shake the wall.  [1]
+bool throughWall(const Model& m, const Sample& x, const State& s, int fresh, int triangle, const Vec3& normal) {
+  constexpr double kOpposed = -0.3;            // [1]
+  if (!m.params.thread.knots || x.index >= m.strand.nodes || fresh == 0) return false;
+  const StrandContact& before = s.work.freshContacts[fresh - 1];
+  if (before.sample + 1 != x.index || m.mesh.triangleLayer.size() != m.surface.triangles.size()) return false;
+  if (m.mesh.triangleLayer[before.feature] == m.mesh.triangleLayer[triangle]) return false;
+  return m.bowels.of[m.surface.triangles[before.feature][0]] == m.bowels.of[m.surface.triangles[triangle][0]] && before.force.dot(normal) < kOpposed;
+}
+
 void touchTissue(const Model& m, const Sample& x, State& state, int& fresh) {
   StrandState& s = state.strand;
   const auto& tissue = state.tissue.position;
@@ -143,6 +154,11 @@ void touchTissue(const Model& m, const Sample& x, State& state, int& fresh) {
   t.point = near.point;
   t.normal = acrossThread(m, s, x, near.normal);
   t.moved = near.point - pointOn(m.surface, state.work.tissue.previous, near.triangle, near.weight);
+  if (throughWall(m, x, state, fresh, near.triangle, near.normal)) {
+    --fresh;
+    --state.work.strand.linkCount;
+    return;
+  }
   // Where the thread's nodes lie closer, more of them press on the same tissue.
   const double crowd = x.index < m.strand.nodes ? std::fmax(1.0, kNodeSpacing / segmentAt(m.strand, x.coordinate)) : 1.0;   // [1]
   t.stiffness = 1.0 / (crowd * kTissueShare * triangleCompliance(m, near.triangle, near.weight) + 1e-5);

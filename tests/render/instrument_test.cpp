@@ -90,6 +90,26 @@ TEST(Thread, PassesThroughEveryNode) {
   }
 }
 
+/// The piece that was cut off has fallen away: no thread is drawn from the one end to the other.
+TEST(Thread, IsNotDrawnAcrossACut) {
+  constexpr std::size_t kLast = 20;                      // node before the cut
+  std::vector<Vec3> nodes = helix(40);
+  for (std::size_t i = kLast + 1; i < nodes.size(); ++i) nodes[i].z() -= 0.3;
+  Tube tube = makeThread(40);
+  updateThread(nodes, {}, 0.16e-3, tube);
+  const auto distance = [&](const TubeVertex& v) {       // [m] from the nearest node
+    double nearest = 1.0;                                // [m]
+    for (const Vec3& node : nodes) nearest = std::min(nearest, (Vec3(v.centre[0], v.centre[1], v.centre[2]) - node).norm());
+    return nearest;
+  };
+  int collapsed = 0;
+  for (const TubeVertex& v : tube.vertices) {
+    ASSERT_LT(distance(v), 2e-3);
+    collapsed += v.radius == 0.0F ? 1 : 0;
+  }
+  EXPECT_GT(collapsed, 0);
+}
+
 TEST(Thread, TurnsItsPatternByTheTwist) {
   const std::vector<Vec3> nodes = helix(40);
   Tube plain = makeThread(40), twisted = makeThread(40);
