@@ -120,11 +120,11 @@ Vec3 acrossThread(const Model& m, const StrandState& s, const Sample& x, const V
   return across.squaredNorm() > kEndOn * kEndOn ? Vec3(across.normalized()) : normal;
 }
 
-/// The push of the last step that still counts. Thread caught between two walls meets now the one, now the other: what the one pushed is
+/// The push of the last step that still counts. Between two bowels, thread caught between two walls meets now the one, now the other: what the one pushed is
 /// not the other's push, or the two would pump each other up.  [N] [1]
 double carriedPush(const Model& m, const Sample& x, const StrandContact* old, const Vec3& normal) {
   if (!old) return 0.0;
-  if (!m.params.thread.knots || x.index >= m.strand.nodes) return old->normalForce;
+  if (m.bowels.count < 2 || !m.params.thread.knots || x.index >= m.strand.nodes) return old->normalForce;
   return std::fmin(old->normalForce, std::fmax(0.0, old->force.dot(normal)));
 }
 
@@ -132,7 +132,7 @@ double carriedPush(const Model& m, const Sample& x, const StrandContact* old, co
 /// closer than the wall is thick: pushed out on either side they would pull the thread apart, and shake the wall.  [1]
 bool throughWall(const Model& m, const Sample& x, const State& s, int fresh, int triangle, const Vec3& normal) {
   constexpr double kOpposed = -0.3;            // [1]
-  if (!m.params.thread.knots || x.index >= m.strand.nodes || fresh == 0) return false;
+  if (m.bowels.count < 2 || !m.params.thread.knots || x.index >= m.strand.nodes || fresh == 0) return false;
   const StrandContact& before = s.work.freshContacts[fresh - 1];
   if (before.sample + 1 != x.index || m.mesh.triangleLayer.size() != m.surface.triangles.size()) return false;
   if (m.mesh.triangleLayer[before.feature] == m.mesh.triangleLayer[triangle]) return false;
@@ -165,7 +165,7 @@ void touchTissue(const Model& m, const Sample& x, State& state, int& fresh) {
   const int triangles = static_cast<int>(m.surface.triangles.size());
   const StrandContact* old = previousContact(s, x.index, near.triangle, true, triangles);
   t.record = {x.index, near.triangle, carriedPush(m, x, old, t.normal), old ? old->force : Vec3(Vec3::Zero()), near.weight};
-  if (m.params.thread.knots && t.record.normalForce <= 0.0) t.record.force.setZero();
+  if (m.bowels.count > 1 && m.params.thread.knots && t.record.normalForce <= 0.0) t.record.force.setZero();
   offerTouch(m, x, t, state, fresh);
 }
 
