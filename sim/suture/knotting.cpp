@@ -79,9 +79,9 @@ class Substeps {
   std::array<Quat, kHands> turnTo_;
 };
 
-/// A pull that breaks thread lasts the whole step: what stops an end that whips is over within a substep.
+/// A pull that breaks thread lasts the whole step, solved to its end: what stops an end that whips is over within a substep.
 bool staysOverloaded(const Model& m, const State& s, int segment) {
-  return segment >= 0 && s.strand.tension[segment] >= m.params.thread.breakingTension;
+  return segment >= 0 && s.work.strand.settled && s.strand.tension[segment] >= m.params.thread.breakingTension;
 }
 
 void breakThread(State& s, int segment, StepOutput& out) {
@@ -107,7 +107,7 @@ bool solveKnottedStrand(const Model& m, const KnottingMotion& motion, State& s, 
       if (hand >= 0) s.work.threadOnTool[hand] += forceOnSolid(touch.work, solid) / count;
     }
     if (k == 0) worst = overloadedSegment(s.strand, m.params.thread.breakingTension);
-    else if (!staysOverloaded(m, s, worst)) worst = -1;
+    if (!staysOverloaded(m, s, worst)) worst = -1;
   }
   if (worst >= 0) breakThread(s, worst, out);
   return true;

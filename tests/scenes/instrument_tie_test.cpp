@@ -48,14 +48,22 @@ TEST(InstrumentTie, ASingleThrowIsReadAndSlips) {
   EXPECT_LT(w.stitchLeftAlone(), 0.02);        // [N] under a single throw the stitch gives up all its tension
 }
 
-TEST(InstrumentTie, ASecondThrowOfOppositeSenseMakesASquareKnotThatHolds) {
-  Tied w("1=1", "3.0");
-  EXPECT_EQ(w.reading(), "square");
-  EXPECT_EQ(w.seen(Quantity::kThrows), 2);
-  EXPECT_EQ(w.seen(Quantity::kKnotLocks), 1);
+TEST(InstrumentTie, ThrowsOfOppositeSenseLockTheOneBeforeAndHold) {
+  Tied w("1=1=1", "3.0");
+  EXPECT_EQ(w.reading(), "1=1=1");
+  EXPECT_EQ(w.seen(Quantity::kThrows), 3);
+  EXPECT_EQ(w.seen(Quantity::kKnotLocks), 2);
   EXPECT_EQ(w.seen(Quantity::kWrongThrows), 0);
   EXPECT_TRUE(w.pull().held);
-  EXPECT_GT(w.stitchLeftAlone(), 0.05);        // [N] under a square knot it keeps some
+  EXPECT_GT(w.stitchLeftAlone(), 0.05);        // [N] under locked throws it keeps some
+}
+
+/// Two turns of the long end round the driver, as a surgeon's knot begins.
+TEST(InstrumentTie, TwoTurnsMakeADoubleThrow) {
+  const Tied w("2", "3.0");
+  EXPECT_EQ(w.reading(), "2");
+  EXPECT_EQ(w.seen(Quantity::kThrows), 1);
+  EXPECT_EQ(w.seen(Quantity::kFirstTurns), 2);
 }
 
 /// Both hands open before the throw is drawn tight: nothing is left that bears anything.
