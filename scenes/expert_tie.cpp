@@ -16,11 +16,12 @@ constexpr double kBack = 30e-3;                // [m] along its shaft: where the
 constexpr double kWindSpeed = 3.0;             // [rad/s]
 constexpr double kMove = 0.08, kCareful = 0.03;   // [m/s]
 constexpr double kSnug = 0.03, kGive = 0.06;   // [N] more would draw the tail into the tissue: the winding hand gives way; [m/s]
-constexpr double kWider = 6e-3;                // [m] of thread that the opening jaws take up
+constexpr double kWider = 6e-3;                // [m] of thread that the opening jaws take up in a turn
 constexpr double kTaut = 0.5;                  // [N] at which a tail on its way up is drawn no farther
 constexpr double kTailShare = 0.85;            // [1] of its length: how far from the tissue the tail is drawn up through the loop
 constexpr double kAside = 10e-3, kLow = 6e-3;  // [m] from the stitch as the ends begin to be drawn; above it
-constexpr double kOff = 0.1;                   // [N] with which the loop is drawn off the tips
+constexpr double kOff = 0.1, kFirm = 0.6;      // [N] felt when there is nothing more to come; with which a loop that clings is drawn off
+constexpr double kClings = 3.0;                // [s] after which it is drawn tight as it is
 constexpr double kOver = 18e-3, kBeyond = 12e-3;   // [m] of the other hand above the stitch and past the tips meanwhile
 constexpr double kDraw = 0.03;                 // [m/s]
 constexpr double kHoldTail = 0.15;             // [1] of that for the tail: it is to stay short
@@ -114,7 +115,7 @@ void fetchTail(const Scene& s, std::string& failure) {
     if (there || s.inPhase > 3.0) goTo(s, kOpen);
   } else if (e.phase == kOpen) {
     e.hand[kRight].jaw = std::fmin(1.0, s.inPhase / 0.4);
-    if (s.inPhase < 0.4) e.knot.given += kWider / 0.4 * s.dt;
+    if (s.inPhase < 0.4) e.knot.given += e.knot.throws[e.knot.current].turns * kWider / 0.4 * s.dt;
     follow(s);
     if (s.inPhase > 0.5) goTo(s, kToTail);
   } else if (e.phase == kToTail) {
@@ -126,20 +127,26 @@ void fetchTail(const Scene& s, std::string& failure) {
     follow(s);
     if (s.inPhase < 0.3) return;
     e.knot.drawn = e.knot.felt = {};
+    e.knot.settled = 0.0;
     if (holdsTail(s)) { goTo(s, kThrough); return; }
     if (++e.knot.misses > kAttempts) failure = "the tail was not taken";
     goTo(s, kFollow);
   }
 }
 
-/// The other hand draws the loop off the driver's tips, on to the tail: until it feels that there is nothing more to come.
+/// The other hand draws the loop off the driver's tips, on to the tail: until it is off and there is nothing more to come.
 void drawOffTips(const Scene& s) {
   KnotPlan& k = s.memory.knot;
-  k.felt[kLeft] += s.dt / kFeelTime * (s.state.tools[kLeft].threadForce.norm() - k.felt[kLeft]);
-  k.drawn[kLeft] += kCareful * s.dt;
-  const Vec3 from = stitch(s) + kOver * Vec3::UnitZ() - kBeyond * k.handle;
-  moveHand(s, kLeft, keepTurn(s, kLeft, from - k.drawn[kLeft] * k.handle), 2.0 * kCareful);
-  if (k.felt[kLeft] > kOff || k.drawn[kLeft] > kReach) goTo(s, kCross);
+  const double pull = s.state.tools[kLeft].threadForce.norm();   // [N]
+  k.felt[kLeft] += s.dt / kFeelTime * (pull - k.felt[kLeft]);
+  k.settled = k.felt[kLeft] > kOff ? k.settled + s.dt : 0.0;
+  if (pull < kFirm) {
+    k.drawn[kLeft] += kCareful * s.dt;
+    const Vec3 from = stitch(s) + kOver * Vec3::UnitZ() - kBeyond * k.handle;
+    moveHand(s, kLeft, keepTurn(s, kLeft, from - k.drawn[kLeft] * k.handle), 2.0 * kCareful);
+  }
+  const bool off = k.felt[kLeft] > kOff && (!loopOnJaws(s) || k.settled > kClings);
+  if (off || k.drawn[kLeft] > kReach) goTo(s, kCross);
 }
 
 /// The tail comes through the loop, then the hands go to their sides.
@@ -152,7 +159,8 @@ void drawThrough(const Scene& s) {
     const ToolState& driver = s.state.tools[kRight];
     const double reach = kTailShare * (tailHole(s).coordinate - driver.threadCoordinate - kPerThrow * k.current);   // [m]
     const Vec3 back = from + reach * (k.handle + Vec3::UnitZ()).normalized();
-    const bool drawn = driver.threadForce.norm() > kTaut || moveHand(s, kRight, keepTurn(s, kRight, back), kCareful);
+    const bool taut = driver.threadForce.norm() > kTaut || s.state.tools[kLeft].threadForce.norm() > kFirm;
+    const bool drawn = taut || moveHand(s, kRight, keepTurn(s, kRight, back), kCareful);
     if (!drawn) { moveHand(s, kLeft, keepTurn(s, kLeft, p + kOver * Vec3::UnitZ() - kBeyond * k.handle), kCareful); return; }
     drawOffTips(s);
   } else {

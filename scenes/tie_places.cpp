@@ -1,5 +1,6 @@
 #include "scenes/tie_places.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/portable_math.h"
@@ -10,12 +11,14 @@ namespace halsted::scenes {
 namespace {
 
 constexpr double kRise = 0.35, kLeftRise = 0.7;   // [1] of the driver's and the other hand's shaft over the level way to their handles
-constexpr double kHeight = 0.55;               // [1] of the long end: the driver above the stitch; the winding hand passes below it
 constexpr double kUpJaws = 9e-3;               // [m] above the tips: where the thread goes round; what the jaws grip lies lower
-constexpr double kAhead = 4e-3;                // [m] of the winding hand toward the tips: the thread goes on there, not back up the shaft
+constexpr double kSlant = 0.05;                // [1] of the thread toward the tips: turns lie side by side; more, and the first slides off
 constexpr double kSlack = 6e-3;                // [m] kept in the long end so that the jaws can open inside the loop
 constexpr double kLoop = 2.3e-3;               // [m] radius of a turn about the jaws
-constexpr double kNearest = 6e-3, kFarthest = 25e-3;   // [m] of the winding hand from the driver
+constexpr double kNearest = 6e-3, kFarthest = 35e-3;   // [m] of the winding hand from the driver
+constexpr double kPerTurn = 20e-3;             // [m] of the long end that a second turn takes
+constexpr double kSpare = 2e-3;                // [m] of the long end left when it has gone round
+constexpr double kJaws = 30e-3;                // [m] of the driver that may have thread wound about it
 constexpr double kFromEnd = 5e-3;              // [m] of tail beyond the jaws
 
 const StrandState& strand(const Scene& s) { return s.state.strand; }
@@ -35,7 +38,12 @@ Pose laid(const Scene& s, int hand, const Vec3& position, std::array<Vec3, 2> sh
   return {position, Quat(axes).normalized()};
 }
 
-double longLength(const Scene& s) { return s.state.tools[kLeft].threadCoordinate - longHole(s).coordinate; }   // [m]
+/// Of the long end that winding may use.  [m]
+double longLength(const Scene& s) {
+  return s.state.tools[kLeft].threadCoordinate - longHole(s).coordinate - kSlack - kPerThrow * s.memory.knot.current;
+}
+/// The driver above the stitch: so high that the thread is straight all the way round.  [m]
+double heightOf(const Scene& s) { return longLength(s) - kNearest - kSpare - kLoop * (wholeTurns(s) - 0.5 * kPi); }
 
 }  // namespace
 
@@ -58,18 +66,24 @@ Vec3 strandSide(const Scene& s) {
 
 Vec3 driverShaft(const Scene& s) { return (s.memory.knot.handle + kRise * Vec3::UnitZ()).normalized(); }
 
-Vec3 driverPlace(const Scene& s) { return stitch(s) + kHeight * longLength(s) * upward(s) - kUpJaws * driverShaft(s); }
+Vec3 driverPlace(const Scene& s) { return stitch(s) + heightOf(s) * upward(s) - kUpJaws * driverShaft(s); }
 Pose driverPose(const Scene& s, double back) {   // [m] along its shaft
   return laid(s, kRight, driverPlace(s) + back * driverShaft(s), {driverShaft(s), s.memory.knot.side});
 }
 
 double tailPlace(const Scene& s) { return std::fmin(kFromEnd, 0.5 * tailHole(s).coordinate); }   // [m]
+/// Between the stitch and the hand that winds.  [m]
+double longEnd(const Scene& s) {
+  int most = 1;
+  for (const PlannedThrow& t : s.memory.knot.throws) most = std::max(most, t.turns);
+  return s.action.longEnd + kPerTurn * (most - 1);
+}
 double longPlace(const Scene& s) {             // [m]
-  return std::fmin(longHole(s).coordinate + s.action.longEnd, s.model.strand.length - kFromEnd);
+  return std::fmin(longHole(s).coordinate + longEnd(s), s.model.strand.length - kFromEnd);
 }
 bool holdsLong(const Scene& s) {
   const double c = s.state.tools[kLeft].threadCoordinate;   // [m]
-  return c > longHole(s).coordinate + 0.6 * s.action.longEnd && c < longHole(s).coordinate + 1.5 * s.action.longEnd;
+  return c > longHole(s).coordinate + 0.6 * longEnd(s) && c < longHole(s).coordinate + 1.5 * longEnd(s);
 }
 bool holdsTail(const Scene& s) {
   const double c = s.state.tools[kRight].threadCoordinate;   // [m]
@@ -81,7 +95,7 @@ Pose windingPose(const Scene& s, const Vec3& driver, double swept) {   // [m], [
   const KnotPlan& k = s.memory.knot;
   const Vec3 out = cosine(swept) * k.side + sine(swept) * k.throws[k.current].over * upward(s);
   const Vec3 loop = driver + kUpJaws * driverShaft(s);
-  const double length = longLength(s) - kSlack - kPerThrow * k.current - k.given;   // [m]
+  const double length = longLength(s) - k.given;   // [m]
   const Vec3 from = loop - holePoint(s.model, longHole(s), s.state.tissue.position);
   double free = length - from.norm() - kLoop * (swept - 0.5 * kPi);      // [m] beyond the jaws
   if (swept < 0.5 * kPi) {                     // the thread does not touch them yet: |from + free out| = length
@@ -89,12 +103,21 @@ Pose windingPose(const Scene& s, const Vec3& driver, double swept) {   // [m], [
     free = rest > 0.0 ? std::sqrt(rest) - b : kNearest;
   }
   const double distance = std::fmin(kFarthest, std::fmax(kNearest, free));   // [m]
-  return laid(s, kLeft, loop - kAhead * driverShaft(s) + distance * out, {leftShaft(s), k.side});
+  return laid(s, kLeft, loop + distance * (out - kSlant * driverShaft(s)), {leftShaft(s), k.side});
 }
 
 double wholeTurns(const Scene& s) { return 2.0 * kPi * s.memory.knot.throws[s.memory.knot.current].turns; }   // [rad]
 
 Pose keepTurn(const Scene& s, int hand, const Vec3& position) { return {position, s.memory.hand[hand].command.orientation}; }
+
+bool loopOnJaws(const Scene& s) {
+  const double near = 2.0 * s.model.params.tools[kRight].jawRadius;   // [m]
+  for (int i = threadSpot(s.model.strand, longHole(s).coordinate).node + 1; i < s.model.strand.nodes; ++i) {
+    const Vec3 p = s.state.tools[kRight].proxy.inverseApply(strand(s).position[i]);
+    if (p.z() > 0.0 && p.z() < kJaws && p.head<2>().norm() < near) return true;
+  }
+  return false;
+}
 
 /// Grip on the tail from the driver's side.
 Pose tailGrip(const Scene& s) {

@@ -31,6 +31,8 @@ double tailPlace(const Scene&);                // [m]
 double longPlace(const Scene&);                // [m]
 bool holdsLong(const Scene&);
 bool holdsTail(const Scene&);
+/// Does the long end still lie about the driver, on the side of its tips?
+bool loopOnJaws(const Scene&);
 /// Grip on the tail from the driver's side.
 Pose tailGrip(const Scene&);
 

@@ -5,7 +5,7 @@
 
 namespace halsted::scenes {
 
-/// The same TOML in ASCII: letters in double quotes become \uXXXX, in comments '?'. Throws InputError "origin:line: ..." for control
+/// The same TOML in ASCII: letters in double quotes become \u and four digits, in comments '?'. Throws InputError "origin:line: ..." for control
 /// characters, for bytes that are not UTF-8, and for letters outside ASCII anywhere else.
 std::string asciiToml(const std::string& text, const std::string& origin);
 

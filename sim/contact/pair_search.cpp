@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/contact/face.h"
 #include "sim/contact/geometry.h"
 #include "sim/contact/vertex_grid.h"
-#include "sim/lanes.h"
 
 namespace halsted {
 namespace {
@@ -17,15 +17,6 @@ constexpr double kRoom = 1e-6;                   // [m] for rounding: the exact 
 constexpr double kWatched = 1.3e-3 + kRoom;      // [m] from the triangle's nearest point: kPairReach and kPairAside, at a right angle
 constexpr double kListed = kWatched + 2.0 * kPairDrift + kRoom;   // [m] farther now, a pair cannot be near while the list holds
 static_assert(kWatched * kWatched > kPairReach * kPairReach + kPairAside * kPairAside && kPairReach >= kPairBehind);
-
-/// A triangle made ready to reject most vertices by its plane and its ball.
-struct Face {
-  int index = 0, next = 0;                       // triangle; the pairs of the last round from here on belong to later ones
-  bool held = false;                             // all three corners are fixed
-  Vec3 a, b, c, normal, centre;                  // [m] corners; [1]; [m]
-  double above = 0.0, behind = 0.0;              // [m] heights between which a vertex is of interest
-  double squaredReach = 0.0;                     // [m^2] about the centre
-};
 
 /// What a search looks for: pairs that are near, and when it makes a list those too that may be while the list holds.
 struct Scope {
@@ -58,31 +49,6 @@ Face faceOf(const Model& m, std::span<const Vec3> x, int triangle, const Scope& 
   const double reach = std::sqrt(most) + scope.aside;   // [m]
   f.squaredReach = reach * reach;
   return f;
-}
-
-bool insideBall(const Face& f, const Vec3& p) {
-  const Vec3 d = p - f.centre;
-  const double height = d.dot(f.normal);         // [m]
-  // One branch instead of three: which of them fails is as good as random.
-  return (height < f.above) & (height > -f.behind) & (d.squaredNorm() < f.squaredReach);
-}
-
-using Two = double __attribute__((vector_size(16)));   // SSE2, which every x86-64 has
-
-HALSTED_INLINE Two loadTwo(const double* p) { return Two{p[0], p[1]}; }
-/// The same for two vertices side by side: bit 0 and bit 1.
-HALSTED_INLINE int insideBall(const Face& f, const double* x, const double* y, const double* z) {   // [m]
-  const Two dx = loadTwo(x) - f.centre[0], dy = loadTwo(y) - f.centre[1], dz = loadTwo(z) - f.centre[2];
-  const Two height = dx * f.normal[0] + dy * f.normal[1] + dz * f.normal[2];
-  const auto inside = (height < f.above) & (height > -f.behind) & (dx * dx + dy * dy + dz * dz < f.squaredReach);
-  return __builtin_ia32_movmskpd(std::bit_cast<Two>(inside));
-}
-
-/// Of the four entries from `e` on, those before `end`.
-HALSTED_INLINE int insideBall(const Face& f, const SelfWork& w, int e, int end) {
-  const double *x = w.place.data() + e, *y = x + w.item.size(), *z = y + w.item.size();
-  const int four = insideBall(f, x, y, z) | insideBall(f, x + 2, y + 2, z + 2) << 2;
-  return end - e < 4 ? four & ((1 << (end - e)) - 1) : four;
 }
 
 double squaredDistance(const Face& f, const Vec3& p) { return (p - mix(closestOnTriangle(p, f.a, f.b, f.c), f.a, f.b, f.c)).squaredNorm(); }
@@ -152,10 +118,10 @@ bool enlist(const Face& face, int vertex, const Vec3& p, NearPairs& list) {   //
   return far2 <= kWatched * kWatched;
 }
 
-void searchRun(const Model& m, const Face& face, std::array<int, 2> run, NearPairs* list, State& s) {
+void searchRun(const Model& m, const Face& face, const Ball& ball, std::array<int, 2> run, NearPairs* list, State& s) {
   const SelfWork& w = s.work.self;
   for (int e = run[0]; e < run[1]; e += 4) {
-    for (int inside = insideBall(face, w, e, run[1]); inside != 0; inside &= inside - 1) {
+    for (int inside = insideBall(ball, w, e, run[1]); inside != 0; inside &= inside - 1) {
       const int vertex = w.item[e + std::countr_zero(static_cast<unsigned>(inside))];
       if (w.ring[vertex] == ringMark(face.index) || (face.held && m.tissue.isFixed[vertex])) continue;
       const bool candidate = list == nullptr || enlist(face, vertex, s.tissue.position[vertex], *list);
@@ -166,11 +132,12 @@ void searchRun(const Model& m, const Face& face, std::array<int, 2> run, NearPai
 
 void searchFace(const Model& m, const VertexGrid& grid, const Face& face, const Scope& scope, State& s) {
   const SelfWork& w = s.work.self;
+  const Ball ball(face);
   const Vec3 margin = Vec3::Constant(scope.aside);
   const Cell low = grid.at(face.a.cwiseMin(face.b).cwiseMin(face.c) - margin), high = grid.at(face.a.cwiseMax(face.b).cwiseMax(face.c) + margin);
   for (int x = low[0]; x <= high[0]; ++x)
     for (int y = low[1]; y <= high[1]; ++y)
-      searchRun(m, face, {w.start[VertexGrid::index(x, y, low[2])], w.start[VertexGrid::index(x, y, high[2]) + 1]}, scope.list, s);
+      searchRun(m, face, ball, {w.start[VertexGrid::index(x, y, low[2])], w.start[VertexGrid::index(x, y, high[2]) + 1]}, scope.list, s);
 }
 
 /// Triangle holds every corner of `triangle` that has weight: it meets it in the edge or corner where the weights are.

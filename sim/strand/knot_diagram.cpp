@@ -73,10 +73,6 @@ int throwAt(const KnotDiagram& d, int i) {
   return 0;
 }
 
-}  // namespace
-
-namespace {
-
 void turn(std::span<const Vec3> curve, const Vec3& direction, std::vector<Vec3>& seen) {   // [m], [1], [m]
   const Frame f = frameOf(direction);
   seen.clear();

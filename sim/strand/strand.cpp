@@ -14,7 +14,7 @@ StrandState restState(const StrandModel& m, const Pose& needle) {
   StrandState s;
   s.needle = needle;
   const Vec3 swage = needle.apply(m.arcPoint.front());
-  for (int i = 0; i < m.nodes; ++i) s.position.push_back(swage - Vec3(0.0, m.regions.size() == 1 ? m.segment * (m.nodes - 1 - i) : m.length - m.place[i], 0.0));
+  for (int i = 0; i < m.nodes; ++i) s.position.push_back(swage - Vec3(0.0, lengthAfter(m, i), 0.0));
   s.velocity.assign(m.nodes, Vec3::Zero());
   s.tension.assign(m.nodes - 1, 0.0);
   s.nearVertex.assign(m.nodes + m.sampleCoordinate.size(), 0);

@@ -39,6 +39,7 @@ struct StrandWork {
   std::array<NeedleTurnLink, kHands> turns;
   int turnCount = 0;
   int iterations = 0;                          // Newton iterations of the last solve
+  bool settled = true;                         // did they come to rest? Else the tensions are those of a rough guess
 };
 
 StrandWork prepareWork(const StrandModel&);

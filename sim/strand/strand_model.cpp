@@ -107,8 +107,6 @@ StrandModel buildStrand(const SimParams& p) {
   const ThreadParams& t = p.thread;
   m.segment = t.segmentLength;
   m.radius = t.radius;
-  m.axial = t.axialStiffness / t.segmentLength;
-  m.bending = t.bendingStiffness / (t.segmentLength * t.segmentLength * t.segmentLength);
   m.damping = t.damping;
   layOutRegions(t, m);
   layOutNodes(t, m);
@@ -136,6 +134,14 @@ double coordinateAt(const StrandModel& m, int node, double share) {
   std::size_t r = m.regions.size() - 1;
   while (r > 0 && node < m.regions[r].node) --r;
   return m.regions[r].from + (node - m.regions[r].node + share) * m.regions[r].segment;
+}
+
+double lengthAfter(const StrandModel& m, int node) {
+  double length = 0.0;
+  int end = m.nodes - 1;
+  for (std::size_t r = m.regions.size(); r-- > 0 && node < end; end = m.regions[r].node)
+    length += m.regions[r].segment * (end - std::max(node, m.regions[r].node));
+  return length;
 }
 
 double segmentAt(const StrandModel& m, double s) { return m.rest[threadSpot(m, s).node]; }

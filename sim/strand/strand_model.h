@@ -30,8 +30,6 @@ struct StrandModel {
   double finest = 0.0;                         // [m] shortest rest length
   double length = 0.0;                         // [m] of the thread
   double radius = 0.0;                         // [m] of the thread
-  double axial = 0.0;                          // [N/m] EA / segment
-  double bending = 0.0;                        // [N/m] EI / segment^3
   std::vector<StrandRegion> regions;           // in order; one unless there is a fine stretch
   std::vector<double> place;                   // [m] coordinate of each node
   std::vector<double> rest, axialOf;           // [m], [N/m] of each segment
@@ -58,6 +56,9 @@ struct ThreadSpot {
   double fraction = 0.0;                       // [1]
 };
 ThreadSpot threadSpot(const StrandModel&, double s);   // [m] clamped to the thread
+
+/// Rest length of the thread between a node and the swage.  [m]
+double lengthAfter(const StrandModel&, int node);
 
 /// Coordinate of the place `share` [1] of the way from a node to the next.  [m]
 double coordinateAt(const StrandModel&, int node, double share);

@@ -290,6 +290,7 @@ bool solveStrand(const StrandModel& m, double dt, const Vec3& gravity, StrandSta
     const Outcome outcome = iterate(assembly, gravity, s, needle, w, touch);
     if (outcome == Outcome::kSingular) return false;
     if (touch && attempt < kMostAttempts && mustSlow(m, s, w, outcome == Outcome::kSettled, *touch)) continue;
+    w.settled = outcome == Outcome::kSettled;
     finish(m, dt, needle, s, w);
     if (touch) settleThreadContacts(s, *touch);
     return true;

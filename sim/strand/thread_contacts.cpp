@@ -241,10 +241,11 @@ Vec3 forceOnSolid(const ThreadContactWork& w, int solid) {
   return sum;
 }
 
-int brokenSegment(const StrandState& s, double breakingTension) {
-  for (std::size_t i = 0; i < s.tension.size(); ++i)
-    if (s.tension[i] >= breakingTension) return static_cast<int>(i);
-  return -1;
+int overloadedSegment(const StrandState& s, double breakingTension) {
+  std::size_t worst = 0;
+  for (std::size_t i = 1; i < s.tension.size(); ++i)
+    if (s.tension[i] > s.tension[worst]) worst = i;
+  return s.tension[worst] >= breakingTension ? static_cast<int>(worst) : -1;
 }
 
 }  // namespace halsted

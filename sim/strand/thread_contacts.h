@@ -109,7 +109,7 @@ void settleThreadContacts(const StrandState&, ThreadTouch&);
 /// Force of the thread on a solid, as the last solve left it.  [N]
 Vec3 forceOnSolid(const ThreadContactWork&, int solid);
 
-/// First segment whose tension has reached the breaking strength, or -1.
-int brokenSegment(const StrandState&, double breakingTension);   // [N]
+/// The segment that is pulled hardest, if its tension has reached the breaking strength, or -1.
+int overloadedSegment(const StrandState&, double breakingTension);   // [N]
 
 }  // namespace halsted

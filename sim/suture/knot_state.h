@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 
+#include "sim/types.h"
+
 namespace halsted {
 
 struct KnotState {
@@ -14,7 +16,7 @@ struct KnotState {
   std::int32_t crossingsLeft = 0;
   double gap = 0.0;                            // [m] of thread between the tissue and the knot, mean of its two strands
   double size = 0.0;                           // [m] of thread within the knot, mean of its two strands
-  std::array<std::int32_t, 2> toolTurns{};     // [1] signed turns of the thread about each tool
+  std::array<std::int32_t, kHands> toolTurns{};     // [1] signed turns of the thread about each tool
   std::int32_t breaks = 0;                     // places where the thread is parted
   std::int32_t cuts = 0;                       // of these, with blades
 };

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
-#include "sim/suture/holes.h"
 #include "sim/strand/tool_winding.h"
+#include "sim/suture/holes.h"
 
 namespace halsted {
 namespace {
 
+static_assert(ThrowList::kMost == KnotState::kMostThrows, "every throw that is read has its place in the state");
 constexpr double kInterval = 0.1;              // [s] between looks
 constexpr double kRoundTool = 3.0;             // [1] of the jaws' radius: thread this near to a tool's axis may go round it
 

@@ -82,17 +82,9 @@ class Substeps {
   std::array<Quat, kHands> turnTo_;
 };
 
-/// The segment that is pulled hardest, if that is more than the thread bears, or -1.
-int overloaded(const Model& m, const State& s) {
-  int worst = 0;
-  for (int i = 1; i + 1 < m.strand.nodes; ++i)
-    if (s.strand.tension[i] > s.strand.tension[worst]) worst = i;
-  return s.strand.tension[worst] >= m.params.thread.breakingTension ? worst : -1;
-}
-
-/// A pull that breaks thread lasts the whole step: what stops an end that whips is over within a substep.
+/// A pull that breaks thread lasts the whole step, solved to its end: what stops an end that whips is over within a substep.
 bool staysOverloaded(const Model& m, const State& s, int segment) {
-  return segment >= 0 && s.strand.tension[segment] >= m.params.thread.breakingTension;
+  return segment >= 0 && s.work.strand.settled && s.strand.tension[segment] >= m.params.thread.breakingTension;
 }
 
 void breakThread(State& s, int segment, StepOutput& out) {
@@ -117,8 +109,8 @@ bool solveKnottedStrand(const Model& m, const KnottingMotion& motion, State& s, 
       const int hand = solidHand(solid);
       if (hand >= 0) s.work.threadOnTool[hand] += forceOnSolid(touch.work, solid) / count;
     }
-    if (k == 0) worst = overloaded(m, s);
-    else if (!staysOverloaded(m, s, worst)) worst = -1;
+    if (k == 0) worst = overloadedSegment(s.strand, m.params.thread.breakingTension);
+    if (!staysOverloaded(m, s, worst)) worst = -1;
   }
   if (worst >= 0) breakThread(s, worst, out);
   return true;

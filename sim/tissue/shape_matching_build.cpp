@@ -67,20 +67,26 @@ void buildClusters(const TissueModel& m, ShapeMatchingModel& s) {
 void buildRestShape(const TissueModel& m, ShapeMatchingModel& s) {
   for (const Vec3& x : m.rest) s.origin += x / static_cast<double>(m.rest.size());
   for (std::size_t i = 0; i < m.rest.size(); ++i) {
-    const Vec3 x = m.rest[i] - s.origin;
-    s.rest.insert(s.rest.end(), {x.x(), x.y(), x.z(), 1.0});
-    s.share.push_back(m.mass[i] / (s.ownerStart[i + 1] - s.ownerStart[i]));
+    const double part = 1.0 / (s.ownerStart[i + 1] - s.ownerStart[i]);   // [1]
+    const Vec3 x = part * (m.rest[i] - s.origin);
+    s.rest.insert(s.rest.end(), {x.x(), x.y(), x.z(), part});
   }
-  for (std::size_t c = 0; c + 1 < s.clusterStart.size(); ++c) {
+  s.mass = m.mass;
+  const std::size_t clusters = s.clusterStart.size() - 1, lanes = SumPlan::kLists, groups = (clusters + lanes - 1) / lanes;
+  s.laneCentre.resize(4 * lanes * groups);
+  for (std::size_t k = 0; k < lanes * groups; ++k) {
+    const std::size_t c = std::min(k, clusters - 1);   // the last group repeats the last cluster
     Vec3 centre = Vec3::Zero();                // [kg m] until divided
     double mass = 0.0;                         // [kg]
-    for (int k = s.clusterStart[c]; k < s.clusterStart[c + 1]; ++k) {
-      const int i = s.member[k];
-      centre += s.share[i] * (m.rest[i] - s.origin);
-      mass += s.share[i];
+    for (int e = s.clusterStart[c]; e < s.clusterStart[c + 1]; ++e) {
+      const int i = s.member[e];
+      const double share = s.mass[i] * s.rest[4 * i + 3];              // [kg]
+      centre += share * (m.rest[i] - s.origin);
+      mass += share;
     }
     centre /= mass;
-    s.restCentroid.insert(s.restCentroid.end(), {centre.x(), centre.y(), centre.z(), 1.0 / mass});
+    const double entries[4] = {centre.x(), centre.y(), centre.z(), 1.0 / mass};
+    for (std::size_t e = 0; e < 4; ++e) s.laneCentre[lanes * (4 * (k / lanes) + e) + k % lanes] = entries[e];
   }
 }
 

@@ -11,10 +11,12 @@ namespace halsted {
 struct TissueModel;
 struct TissueParams;
 
-/// Many lists of maps to be summed, with what several of them have in common summed once. A node is an input or a shared sum.
+/// Many lists of maps to be summed, with what several of them have in common summed once. A node is an input, a shared sum, or, after
+/// all of these, the empty map that fills up shorter lists.
 struct SumPlan {
+  static constexpr int kLists = 4;             // are summed side by side, each as long as the longest; the last group repeats the last list
   std::vector<int> shared;                     // two nodes each, times kMap; earlier ones only
-  std::vector<int> start, node;                // per list: prefix sums; nodes times kMap
+  std::vector<int> start, node;                // per group of lists: prefix sums; nodes times kMap, by place in the list, then list
 };
 
 struct ShapeMatchingModel {
@@ -29,10 +31,11 @@ struct ShapeMatchingModel {
   std::vector<int> ownerStart;                 // prefix sums into `owner`, size particles + 1
   std::vector<int> owner;                      // clusters that hold a particle, ascending
   SumPlan gather, spread;                      // moments of members into clusters, maps of owners into particles
-  // A particle's mass is shared equally among its clusters: then averaging the goals conserves momentum.
-  std::vector<double> rest;                    // per particle: x, y, z of rest - origin [m], 1
-  std::vector<double> share;                   // [kg] per particle: mass / clusters that hold it
-  std::vector<double> restCentroid;            // per cluster: x, y, z of the mass centre - origin [m], 1 / sum of shares [1/kg]
+  // A particle's mass is shared equally among its clusters: then averaging the goals conserves momentum. Both the share and the mean
+  // are in `rest`.
+  std::vector<double> rest;                    // per particle: x, y, z of rest - origin [m], 1; all divided by the clusters that hold it
+  std::vector<double> mass;                    // [kg] per particle
+  std::vector<double> laneCentre;              // per four clusters, lane by lane: x, y, z of the mass centre - origin [m], 1 / sum of shares [1/kg]
   LanePath path = LanePath::kSerial;           // set by the builder to the widest the CPU has
 };
 

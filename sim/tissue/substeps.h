@@ -23,8 +23,9 @@ inline void beginSubstep(const TissueModel& m, std::span<const Vec3> force, doub
 inline void endSubstep(double h, TissueState& s, TissueWork& w) {      // h [s]
   const double rate = 1.0 / h;                                         // [1/s]
   for (std::size_t i = 0; i < s.position.size(); ++i) {
-    s.position[i] = Vec3(w.rows[4 * i], w.rows[4 * i + 1], w.rows[4 * i + 2]);
-    s.velocity[i] = rate * (s.position[i] - w.target[i]);
+    const Vec3 x(w.rows[4 * i], w.rows[4 * i + 1], w.rows[4 * i + 2]);
+    s.velocity[i] = rate * (x - w.target[i]);
+    s.position[i] = x;
   }
 }
 

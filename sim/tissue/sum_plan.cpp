@@ -31,6 +31,7 @@ std::vector<Pair> commonPairs(const std::vector<std::vector<int>>& lists, int no
     taken[a] = taken[b] = 1;
     chosen.push_back({a, b});
   }
+  std::sort(chosen.begin(), chosen.end());     // memory is read in order
   return chosen;
 }
 
@@ -67,9 +68,17 @@ SumPlan planSums(std::vector<std::vector<int>> lists, int inputs) {
       for (int node : pair) plan.shared.push_back(kMap * node);
     nodes += static_cast<int>(pairs.size());
   }
+  const int empty = inputs + static_cast<int>(plan.shared.size()) / 2;
   plan.start.assign(1, 0);
-  for (const auto& list : lists) {
-    for (int node : list) plan.node.push_back(kMap * node);
+  for (std::size_t first = 0; first < lists.size(); first += SumPlan::kLists) {
+    std::size_t longest = 0;
+    for (std::size_t l = first; l < std::min(first + SumPlan::kLists, lists.size()); ++l) longest = std::max(longest, lists[l].size());
+    for (std::size_t k = 0; k < longest; ++k) {
+      for (std::size_t l = 0; l < SumPlan::kLists; ++l) {
+        const std::vector<int>& list = lists[std::min(first + l, lists.size() - 1)];
+        plan.node.push_back(kMap * (k < list.size() ? list[k] : empty));
+      }
+    }
     plan.start.push_back(static_cast<int>(plan.node.size()));
   }
   return plan;

@@ -29,7 +29,7 @@ void expectLaws(const SimParams& p, WallPress press, const NamedHand& hand, doub
   EXPECT_GT(r.energyTaken, -kCreated) << hand.name << " " << speed;
   EXPECT_LT(r.replaced, kReplaced) << hand.name << " " << speed;
   EXPECT_LT(r.buzz, kBuzz) << hand.name << " " << speed;
-  EXPECT_GT(r.peak, 0.05) << "the hand did press";   // at an edge the tool slides off while it is held
+  EXPECT_GT(press.slidesOff ? r.peak : r.steady, 0.05) << "the hand did press";
   EXPECT_EQ(r.otherHand, 0.0);
 }
 
@@ -59,13 +59,14 @@ struct SoftPlace {
   const char* name;
   double height, along, depth;                   // [m]
   bool flat;
+  bool slidesOff = false;                        // the tool leaves the edge while it is held
 };
 
 class SoftPlaces : public testing::TestWithParam<SoftPlace> {};
 INSTANTIATE_TEST_SUITE_P(ToolTouch, SoftPlaces,
                          testing::Values(SoftPlace{"Middle", 11e-3, 12e-3, 3e-3, false}, SoftPlace{"Foot", 2e-3, 12e-3, 2e-3, false},
-                                         SoftPlace{"Rim", 14e-3, 12e-3, 3e-3, false}, SoftPlace{"OverTheRim", 16.5e-3, 12e-3, 3e-3, false},
-                                         SoftPlace{"End", 11e-3, 22e-3, 3e-3, false}, SoftPlace{"Corner", 15e-3, 23e-3, 3e-3, false},
+                                         SoftPlace{"Rim", 14e-3, 12e-3, 3e-3, false}, SoftPlace{"OverTheRim", 16.5e-3, 12e-3, 3e-3, false, true},
+                                         SoftPlace{"End", 11e-3, 22e-3, 3e-3, false}, SoftPlace{"Corner", 15e-3, 23e-3, 3e-3, false, true},
                                          SoftPlace{"LyingAtTheFoot", 2e-3, 12e-3, 1.5e-3, true},
                                          SoftPlace{"LyingInTheMiddle", 9e-3, 4e-3, 2e-3, true}, SoftPlace{"LyingAtTheRim", 14e-3, 12e-3, 2e-3, true}),
                          [](const auto& place) { return std::string(place.param.name); });
@@ -76,6 +77,7 @@ TEST_P(SoftPlaces, CreateNoEnergyAtAnySpeed) {
   press.along = GetParam().along;
   press.flat = GetParam().flat;
   press.depth = GetParam().depth;
+  press.slidesOff = GetParam().slidesOff;
   for (const NamedHand& hand : threeHands())
     for (const double speed : {0.01, 0.03, 0.1, 0.2, 0.3}) {
       press.hold = 1.0 + 13e-3 / speed;          // the way there, and a second

@@ -38,6 +38,7 @@ struct WallPress {
   double height = 11e-3;                       // [m] above the foot
   double along = 12e-3;                        // [m] from the wall's end; its other end is at 24 mm
   bool flat = false;                           // the shaft lies along the wall
+  bool slidesOff = false;                      // the tool is expected to leave an edge while it is held
   double hold = 2.0;                           // [s]
   Pose at(double gap) const { return beforeWall(gap, height, flat, along); }   // [m]
 };

@@ -1,5 +1,7 @@
 #pragma once
 /// Loosely laced knots by geometry, hands that pull with a wanted force, and a tensile test of what they tied.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <span>
 
@@ -110,6 +112,8 @@ class TiedKnot {
     double most = 0.0;                         // [N] the largest force that both hands felt
     double gained = 0.0;                       // [m] by which the loop opened
     bool held = false;                         // the wanted force stands and nothing moves any more
+    bool solved = false;                       // to the end: without this the rest says nothing
+    bool slipped() const { return solved && !held; }
   };
   /// Lets the tails go and pulls the loop apart up to `force` at `speed`, until it stands or has opened by 6 mm: 3 mm of each tail.
   Loading load(double force, double speed, double seconds = 0.5) {   // [N], [m/s], [s]
@@ -121,13 +125,14 @@ class TiedKnot {
     double last = before;                      // [m]
     Loading r;
     for (int k = 1; k < seconds / rig.dt && r.gained < 6e-3 && !r.held; ++k) {
-      if (!step()) return {};
+      if (!step()) return r;
       r.most = std::max(r.most, std::min(hands[0].felt, hands[1].felt));
       r.gained = opening() - before;
       if (k % 100) continue;
       r.held = std::min(hands[0].felt, hands[1].felt) > 0.99 * force && std::fabs(opening() - last) < 20e-6;
       last = opening();
     }
+    r.solved = true;
     return r;
   }
   void release() {
@@ -149,7 +154,7 @@ class TiedKnot {
   }
   void run(double seconds) {                   // [s]
     for (int k = 0; k < seconds / rig.dt; ++k)
-      if (!step()) return;
+      ASSERT_TRUE(step()) << "the strand could not be solved";
   }
 
  private:

@@ -103,10 +103,13 @@ struct StrandRig {
   double elastic() const {                     // [J]
     double sum = 0.0;                          // [J]
     const auto& x = state.position;
-    for (double tension : state.tension) sum += 0.5 * tension * tension / model.axial;   // [N]
-    for (int i = 0; i + 2 < model.nodes; ++i) sum += 0.5 * model.bending * (x[i] - 2.0 * x[i + 1] + x[i + 2]).squaredNorm();
+    for (std::size_t i = 0; i < state.tension.size(); ++i) sum += 0.5 * state.tension[i] * state.tension[i] / model.axialOf[i];
+    for (int i = 0; i + 2 < model.nodes; ++i) {
+      const NodeBend& b = model.bend[i];
+      sum += 0.5 * b.stiffness * (b.weight[0] * x[i] + b.weight[1] * x[i + 1] + b.weight[2] * x[i + 2]).squaredNorm();
+    }
     const Vec3 ahead = state.needle.apply(model.arcPoint.front() + model.segment * model.arcTangent.front());
-    sum += 0.5 * model.bending * (x[model.nodes - 2] - 2.0 * x[model.nodes - 1] + ahead).squaredNorm();
+    sum += 0.5 * model.bend.back().stiffness * (x[model.nodes - 2] - 2.0 * x[model.nodes - 1] + ahead).squaredNorm();
     for (const StrandLink& link : held) {
       const Vec3 gap = link.anchor - strandPoint(model, state, link.coordinate);
       sum += 0.5 * gap.dot(link.stiffness * gap) - link.force0.dot(strandPoint(model, state, link.coordinate));

@@ -14,6 +14,9 @@ class TensileTest {
   struct Result {
     double most = 0.0, gained = 0.0;           // [N] that the loop bore; [m] by which it opened once it was straight
     bool held = false;                         // it stood the wanted force
+    bool solved = false;                       // to the end: without this the rest says nothing
+    bool slipped() const { return solved && !held; }
+    const char* outcome() const { return !solved ? "could not be solved" : held ? "holds" : "slips"; }
   };
 
   explicit TensileTest(const StepRig& rig)
@@ -36,13 +39,14 @@ class TensileTest {
     Result r;
     const double start = opening();            // [m]
     while (felt_ < kStraight && opening() - start < kLongest)
-      if (!draw(kFast)) return {};
+      if (!draw(kFast)) return r;
     const double straight = opening();         // [m]
     for (int k = 0; k < kSteps && r.gained < kOpened; ++k) {
-      if (!draw(std::clamp((force - felt_) / (0.25 * force), -1.0, 1.0) * kSpeed)) return {};
+      if (!draw(std::clamp((force - felt_) / (0.25 * force), -1.0, 1.0) * kSpeed)) return r;
       r.most = std::max(r.most, felt_);
       r.gained = opening() - straight;
     }
+    r.solved = true;
     r.held = felt_ > 0.97 * force && r.gained < kOpened;
     return r;
   }

@@ -71,7 +71,7 @@ bool RunningProcess::ended() {
 }
 
 TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "halsted-test-XXXXXX").string();
+  std::string pattern = (std::filesystem::temp_directory_path() / ("halsted-test-" + std::string(6, 'X'))).string();
   if (!mkdtemp(pattern.data())) throw std::runtime_error("cannot make a temporary folder");
   path_ = pattern;
 }
