@@ -13,6 +13,7 @@ constexpr double kEnd = 4e-3;                  // [m] not by its very end
 constexpr double kClear = 0.012;               // [m] of room: no better with more
 constexpr double kNear = 0.25;                 // [1] room that one would give up to be nearer to the stitch
 constexpr double kLowest = -0.06, kDeepest = -0.02;            // [m] y and z: lower or deeper is out of the hands' reach
+constexpr double kNearer = 12e-3;              // [m] to the stitch after a miss
 constexpr double kSamePlace = 0.015;           // [m] along the thread
 constexpr double kTightenSpeed = 0.015;        // [m/s]
 constexpr double kTightenReach = 0.09;         // [m] as far as the arms go apart
@@ -38,11 +39,13 @@ double clearance(const Scene& s, double coordinate) {
 }
 
 /// Where to take the thread that leaves the stitch at `stitch`, tail (`way` -1) or needle side (+1): clear, not far (or as far as the
-/// action says), not past where it is cut, and not where it was just missed.  [m] [1]
+/// action says; nearer after every miss, for there it may lie on the wall), not past where it is cut, and not where it was just
+/// missed.  [m] [1]
 double thinkOfPlace(const Scene& s, double stitch, double way) {
-  const double least = s.action.tail > 0.0 ? s.action.tail : kLeast, end = threadEnd(s.model, s.state, stitch);   // [m]
+  const double wanted = s.action.tail > 0.0 ? s.action.tail : kLeast, end = threadEnd(s.model, s.state, stitch);   // [m]
+  const double least = std::fmax(kLeast, wanted - kNearer * s.memory.attempt);                   // [m]
   double best = stitch + way * least, bestScore = -1.0;                                          // [m], [m]
-  for (double off = least; off < std::fmax(kMost, least + kStep); off += kStep) {
+  for (double off = least; off < std::fmax(kMost, wanted + kStep); off += kStep) {
     const double c = stitch + way * off;
     if (c < kEnd || c > end - kEnd) break;
     double score = clearance(s, c) - kNear * off;                                                // [m]
