@@ -69,7 +69,10 @@ std::string readKind(const toml::table& table, const std::string& origin) {
   if (!node) throw InputError(whereIs(origin, table, "action") + ": has no do");
   const std::string where = whereIs(origin, *node, "action.do"), kind = requireText(*node, where);
   if (isOneOf(kSutureKinds, kind) || isOneOf(kNeedleKinds, kind)) return kind;
-  throw InputError(where + ": '" + quoted(kind) + "' is not one of bite, draw, take_tails, tighten, tie, cut, take_stay, traction, let_go, hold, find, press, insert, twirl, lift_thrust, withdraw");
+  std::string known;
+  for (const std::span<const char* const> kinds : {std::span<const char* const>(kSutureKinds), std::span<const char* const>(kNeedleKinds)})
+    for (const char* name : kinds) known += (known.empty() ? "" : ", ") + std::string(name);
+  throw InputError(where + ": '" + quoted(kind) + "' is not one of " + known);
 }
 
 int readCycles(const toml::node& node, const std::string& where) {

@@ -105,7 +105,8 @@ bool drawApart(const Scene& s) {
     const Vec3 out = (e.goal[h].position - f.middle).normalized();
     moveHand(s, h, {e.goal[h].position + e.drawn[h] * out, e.goal[h].orientation}, 0.1);
   }
-  e.settled = s.state.metrics.seam->join.wallGap < kWallsMeet ? e.settled + s.dt : 0.0;
+  const auto& seam = s.state.metrics.seam;     // none where a knot closes one end
+  e.settled = seam && seam->join.wallGap < kWallsMeet ? e.settled + s.dt : 0.0;
   if (s.action.kind == "tie" && s.state.assist->seated > kSeated) return true;
   e.stuck = std::fmax(0.0, e.stuck + (fastest < kTight ? s.dt : -s.dt));   // what is felt swings
   return e.settled > kHoldTight || e.stuck > kPatience;

@@ -139,8 +139,7 @@ bool runDraw(const Scene& s, std::string& failure) {
 }
 
 /// Both tails of a purse-string are drawn apart, crossed as for a knot: each hand pulls over the other's hole, so the gap between them closes
-/// too. The tails of a seam are drawn toward its middle and up, which brings the two sides together. Each
-/// hand feels its own tail: it draws until that is tight, gives way when it is too tight, and stops when the opening is closed.
+/// too. Each hand feels its own tail: it draws until that is tight, gives way when it is too tight, and stops when the opening is closed.
 bool runTighten(const Scene& s, std::string&) {
   ExpertState& e = s.memory;
   if (e.phase == 0) {

@@ -1,6 +1,8 @@
 /// The instrument tie through the whole step: two tools, one thread, no helping hand from the program.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "sim/strand/knot_diagram.h"
 #include "tests/scenes/tied_wall.h"
 #include "tests/sim/tensile_test.h"
@@ -50,6 +52,7 @@ TEST(InstrumentTie, ASingleThrowIsReadAndSlips) {
 
 TEST(InstrumentTie, ThrowsOfOppositeSenseLockTheOneBeforeAndHold) {
   Tied w("1=1=1", "3.0");
+  EXPECT_NE(std::find(w.read.begin(), w.read.end(), "square"), w.read.end()) << "after the second throw";
   EXPECT_EQ(w.reading(), "1=1=1");
   EXPECT_EQ(w.seen(Quantity::kThrows), 3);
   EXPECT_EQ(w.seen(Quantity::kKnotLocks), 2);

@@ -2,8 +2,10 @@
 /// The standing wall of tests/sim with one stitch through it, thread fine where a knot comes to lie, and the scripted surgeon who ties it.
 /// The whole step runs: tissue, holes, thread against itself and against both tools.
 #include <string>
+#include <vector>
 
 #include "scenes/expert.h"
+#include "sim/strand/knot_diagram.h"
 #include "tests/sim/threaded_wall.h"
 
 namespace halsted {
@@ -21,6 +23,7 @@ inline SimParams tiedWallParams() {
 
 struct TiedWall : ThreadedWall {
   std::string failure;                         // of the last script
+  std::vector<std::string> read;               // what the thread was read as whenever a throw was tied
 
   explicit TiedWall(const SimParams& p = tiedWallParams()) : ThreadedWall(kNeedleAway, p) {
     layStitch();
@@ -54,6 +57,7 @@ struct TiedWall : ThreadedWall {
       input.tools[hand].jaw = target[hand].jaw;
     }
     step();
+    if (happened(EventKind::kThrowTied)) read.push_back(knotName(readKnot(state.strand.position)));
     return more;
   }
   double seen(Quantity q) const { return out.seen[static_cast<int>(q)]; }   // unit of the quantity
