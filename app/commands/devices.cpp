@@ -164,6 +164,7 @@ int test(const DevicesOptions& options) {
     for (const Push& push : check.pushes)
       std::printf("%s %.2f N: moved %+.2f %+.2f %+.2f mm%s\n", push.axis.c_str(), push.force.norm(), push.moved.x() * 1e3, push.moved.y() * 1e3,
                   push.moved.z() * 1e3, push.right ? "" : "  <- not the way it was pushed");
+    if (check.interruptions > 0) std::printf("begun again %d times: no reading for 10 ms\n", check.interruptions);
     std::printf("rest noise %.3f mm, largest force %.2f N, largest speed %.0f mm/s, %.0f ticks a second\n%s\n", check.restNoise * 1e3,
                 check.largestForce, check.largestSpeed * 1e3, json["tick_rate_hz"].get<double>(), check.passed ? "passed" : "FAILED");
   }
