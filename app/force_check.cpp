@@ -20,17 +20,18 @@ constexpr double kLeastCosine = 0.7;           // [1] of the angle between push 
 struct Bench {
   haptics::Device& device;
   ForceCheck& check;
+  const CheckClock& clock;
   haptics::HandLoopConfig config;
   haptics::HandLoopState state;
   haptics::HandLoopOutput output;
   LocalContact contact;
   HandTarget still;
   std::uint64_t tick = 0, step = 0;
-  Nanoseconds next = monotonicNow();
+  Nanoseconds next = clock.now();
 
   void advance(const Vec3& force) {            // [N]
     next += 1'000'000;
-    sleepUntil(next);
+    clock.sleepUntil(next);
     contact.step = ++step;
     contact.touching = true;
     contact.force = force;
@@ -44,8 +45,8 @@ struct Bench {
 };
 
 bool waitUntilReady(Bench& bench, double patience) {  // [s]
-  const Nanoseconds until = monotonicNow() + static_cast<Nanoseconds>(patience * 1e9);
-  while (monotonicNow() < until) {
+  const Nanoseconds until = bench.clock.now() + static_cast<Nanoseconds>(patience * 1e9);
+  while (bench.clock.now() < until) {
     bench.advance(Vec3::Zero());
     if (!(bench.output.faults & (haptics::kFaultDeviceGone | haptics::kFaultDeviceSilent))) return true;
   }
@@ -91,7 +92,7 @@ Pushed pushOnce(Bench& bench, Push& push) {
 /// A busy computer or a weak cable interrupts now and then; what counts is one push without a gap.
 Pushed pushWhole(Bench& bench, Push& push, Nanoseconds until) {  // [ns]
   Pushed pushed = pushOnce(bench, push);
-  while (pushed == Pushed::kInterrupted && monotonicNow() < until) {
+  while (pushed == Pushed::kInterrupted && bench.clock.now() < until) {
     ++bench.check.interruptions;
     if (!waitUntilReady(bench, kSilence)) return pushed;
     for (int i = 0; i < kSettle; ++i) bench.advance(Vec3::Zero());
@@ -103,7 +104,7 @@ Pushed pushWhole(Bench& bench, Push& push, Nanoseconds until) {  // [ns]
 void pushAllWays(Bench& bench) {
   static const char* const kNames[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
   restingPlace(bench);
-  const Nanoseconds until = monotonicNow() + static_cast<Nanoseconds>(kPatience * 1e9);
+  const Nanoseconds until = bench.clock.now() + static_cast<Nanoseconds>(kPatience * 1e9);
   bool all = true;
   for (int way = 0; way < 6 && all; ++way) {
     Push push;
@@ -120,17 +121,22 @@ void pushAllWays(Bench& bench) {
 
 }  // namespace
 
-ForceCheck checkForces(haptics::Device& device, double patience) {  // [s]
+ForceCheck checkForces(haptics::Device& device, double patience, const CheckClock& clock) {  // [s]
   ForceCheck check;
+  const Nanoseconds start = clock.now();
+  Bench bench{device, check, clock, {}, {}, {}, {}, {}};
+  check.ready = waitUntilReady(bench, patience);
+  if (check.ready) pushAllWays(bench);
+  check.seconds = static_cast<double>(clock.now() - start) * 1e-9;
+  check.status = device.status();
+  return check;
+}
+
+ForceCheck checkForces(haptics::Device& device, double patience) {  // [s]
   std::atomic<bool> stop{false};
   std::thread service;
   if (device.served()) service = std::thread([&] { runDevice(device, stop); });
-  const Nanoseconds start = monotonicNow();
-  Bench bench{device, check, {}, {}, {}, {}, {}};
-  check.ready = waitUntilReady(bench, patience);
-  if (check.ready) pushAllWays(bench);
-  check.seconds = static_cast<double>(monotonicNow() - start) * 1e-9;
-  check.status = device.status();
+  ForceCheck check = checkForces(device, patience, {haptics::monotonicNow, haptics::sleepUntil});
   stop.store(true);
   if (service.joinable()) service.join();
   return check;

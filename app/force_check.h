@@ -1,10 +1,12 @@
 #pragma once
 /// The bounded force check of `halsted devices --test`: 1.5 N along each axis, and whether the grip went that way.
 /// The shipped tick with all its limits; main thread, with the device's own thread beside it.
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "haptics/device.h"
+#include "haptics/realtime.h"
 
 namespace halsted::app {
 
@@ -28,7 +30,15 @@ struct ForceCheck {
   bool ready = false, passed = false;
 };
 
+/// Where the check's time comes from: a clock and a sleep until then [ns]. Tests put virtual time in their place.
+struct CheckClock {
+  std::function<haptics::Nanoseconds()> now;
+  std::function<void(haptics::Nanoseconds)> sleepUntil;
+};
+
 /// `patience` [s]: how long a device may take to be homed by its user. Stops early when the grip runs away.
 ForceCheck checkForces(haptics::Device&, double patience);
+/// The same where the caller's `sleepUntil` serves the device.
+ForceCheck checkForces(haptics::Device&, double patience, const CheckClock&);
 
 }  // namespace halsted::app

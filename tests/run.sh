@@ -48,8 +48,10 @@ build() {                                       # build PRESET [target...]
 }
 
 release_suite() {
-  ctest --test-dir build/release -j "$jobs" --output-on-failure >"$logs/ctest.log" 2>&1
-  local code=$?
+  local code=0
+  ctest --test-dir build/release -j "$jobs" --output-on-failure -LE usb >"$logs/ctest.log" 2>&1 || code=$?
+  # Emulated devices answer in real time: a computer busy elsewhere for 10 ms silences them, so these may be tried again.
+  ctest --test-dir build/release --output-on-failure -L usb --repeat until-pass:3 >>"$logs/ctest.log" 2>&1 || code=$?
   grep -vE '^ *[0-9]+/[0-9]+ Test .*Passed|^ +Start ' "$logs/ctest.log"
   return $code
 }
