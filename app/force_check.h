@@ -37,8 +37,8 @@ struct CheckClock {
 };
 
 /// `patience` [s]: how long a device may take to be homed by its user. Stops early when the grip runs away.
-ForceCheck checkForces(haptics::Device&, double patience);
+ForceCheck checkForces(haptics::Device&, double patience);   // [s]
 /// The same where the caller's `sleepUntil` serves the device.
-ForceCheck checkForces(haptics::Device&, double patience, const CheckClock&);
+ForceCheck checkForces(haptics::Device&, double patience, const CheckClock&);   // [s]
 
 }  // namespace halsted::app
