@@ -104,8 +104,14 @@ HALSTED_FIELDS(Pose, position, orientation)
 HALSTED_FIELDS(TissueState, position, velocity, rotation, pressure, rodForce, pairCount, droppedPairs, pairVertex, pairTriangle, pairForce)
 HALSTED_FIELDS(Hole, tet, weight, coordinate, force, slip, bite, role, entryCosine)
 HALSTED_FIELDS(StrandContact, sample, feature, normalForce, force, weight)
-HALSTED_FIELDS(StrandState, position, velocity, tension, needle, needleVelocity, needleSpin, nearVertex, holes, holeCount, contacts,
-               contactCount, bitesBegun)
+/// Of the holes only those that there are.
+template <class V> void visitMembers(StrandState& object, FieldWalk<V>& walk) {
+  auto& [position, velocity, tension, needle, needleVelocity, needleSpin, nearVertex, holes, holeCount, contacts, contactCount, bitesBegun] = object;
+  walk.members("position, velocity, tension, needle, needleVelocity, needleSpin, nearVertex, holeCount, contacts, contactCount, bitesBegun",
+               position, velocity, tension, needle, needleVelocity, needleSpin, nearVertex, holeCount, contacts, contactCount, bitesBegun);
+  if (holeCount < 0 || holeCount > StrandState::kMaxHoles) holeCount = 0;   // read from damaged data
+  walk.members("holes", std::span<Hole>(holes.data(), static_cast<std::size_t>(holeCount)));
+}
 HALSTED_FIELDS(ThreadContact, sample, partner, place, normalForce, friction)
 /// Nothing at all in a scene whose thread does not meet itself; otherwise only the contacts there are, for the table is long.
 template <class V> void visitMembers(ThreadContactState& object, FieldWalk<V>& walk) {
@@ -123,6 +129,15 @@ template <class V> void visitMembers(KnotState& object, FieldWalk<V>& walk) {
   if (throws < 0 || throws > KnotState::kMostThrows) throws = 0;   // read from damaged data
 }
 HALSTED_FIELDS(AssistKnot, placed, locked, tail, tip, apart, drawn, seated, felt, locks, slipped)
+HALSTED_FIELDS(TissuePoint, tet, weight)
+HALSTED_FIELDS(TiedStitch, holeCount, hole, force, give, shared, length, tension)
+/// Only those that there are.
+template <class V> void visitMembers(TiedStitches& object, FieldWalk<V>& walk) {
+  auto& [stitch, count, torn] = object;
+  walk.members("count, torn", count, torn);
+  if (count < 0 || count > TiedStitches::kMost) count = 0;   // read from damaged data
+  walk.members("stitch", std::span<TiedStitch>(stitch.data(), static_cast<std::size_t>(count)));
+}
 HALSTED_FIELDS(ToolState, device, proxy, jaw, closed, ratchet, force, holdsNeedle, needleCoordinate, needleInTool, needleForce, threadCoordinate,
                threadForce, strandForce, graspCount, graspTriangle, graspWeight, graspLocal, graspForce, contactCount, contactTriangle,
                contactWeight, contactNormal, contactForce, nearCount, nearTriangle)
@@ -143,7 +158,7 @@ HALSTED_FIELDS(Winding, angle, turned, length, torque, grasp)
 HALSTED_FIELDS(NeedlingState, step, skinUnit, fingerUnit, contact, outward, entry, axis, layers, depth, pressed, fingerDepth, fingerPlace,
                fingerNormal, needleTurn, friction, cut, winding, inside)
 template <class V> void visitMembers(StepWork&, V&) {}   // scratch is not part of the state's value
-HALSTED_FIELDS(State, step, random, tissue, strand, threadContacts, knot, assist, tools, procedure, metrics, needling, work)
+HALSTED_FIELDS(State, step, random, tissue, strand, threadContacts, knot, assist, stitches, tools, procedure, metrics, needling, work)
 
 #undef HALSTED_FIELDS
 

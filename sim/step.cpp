@@ -9,6 +9,7 @@
 #include "sim/suture/knot_watch.h"
 #include "sim/suture/knotting.h"
 #include "sim/suture/strand_contacts.h"
+#include "sim/suture/tied_stitches.h"
 #include "sim/tissue/tissue.h"
 #include "sim/tools/grasp.h"
 #include "sim/tools/local_contact.h"
@@ -30,6 +31,7 @@ void carryForces(const Model& m, double lumenPressure, State& s) {   // [Pa]
   std::fill(s.work.force.begin(), s.work.force.end(), Vec3::Zero());
   std::fill(s.work.change.begin(), s.work.change.end(), Vec3::Zero());
   gatherHoleForces(m, s.strand, s.work.force);
+  gatherStitchForces(m, s, s.work.force);
   gatherContactForces(m, s.strand, s.work.force);
   gatherTouchForces(m, s, s.work.force);
   gatherTissueContact(m, s, s.work.force);
@@ -108,6 +110,7 @@ void stepSuture(const Model& m, const StepInput& input, State& s, StepOutput& ou
     updateProxy(m, hand, s);
     slipGrasp(m, hand, s, out);
   }
+  settleStitches(m, s, out);
   stepStrand(m, {{solidsBefore, {}}, before, {}}, s, out);
   solveTissueContact(m, s);
   answerChange(m, s);

@@ -109,7 +109,11 @@ void addBench(CLI::App& app, CommandLine& line) {
   command->add_option("--scene", line.bench.scene, "one scene only");
   command->add_option("--steps", line.bench.steps, "steps to measure")->capture_default_str()->check(CLI::Range(1, 100'000'000));
   command->add_option("--preset", line.bench.preset, "default or paper; both when not given")->check(CLI::IsMember({"default", "paper"}));
+  CLI::Option* stress = command->add_option("--stress", line.bench.stress, "stitch after stitch to fifty: what a step costs, as in the paper's figures 20 to 23")
+                            ->check(CLI::IsMember({"two-bodies", "one-body"}))->excludes("--scene", "--preset");
+  command->add_option("--plot", line.bench.plot, "SVG file for the curve (default: stress-<series>.svg)")->needs(stress);
   command->add_flag("--json", line.bench.json, "print a JSON list");
+  command->footer("Example: halsted bench --scene purse_string --preset paper\nExample: halsted bench --stress two-bodies --plot curve.svg");
 }
 
 void addSurvey(CLI::App& app, CommandLine& line) {

@@ -12,6 +12,7 @@ namespace halsted::app {
 struct BenchOptions {
   std::string scene, preset;                   // empty: all of them
   int steps = 5000;
+  std::string stress, plot;                    // two-bodies or one-body: that series instead, and the SVG file for its curve
   bool json = false;
 };
 

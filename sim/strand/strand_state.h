@@ -32,7 +32,7 @@ struct StrandContact {
 };
 
 struct StrandState {
-  static constexpr int kMaxHoles = 64, kMaxContacts = 256;
+  static constexpr int kMaxHoles = 128, kMaxContacts = 256;
   std::vector<Vec3> position, velocity;        // [m], [m/s] thread nodes, tail first, swage last
   std::vector<double> tension;                 // [N] per segment, negative when pushed
   Pose needle;

@@ -82,7 +82,8 @@ struct Coverage {
 
 TEST(StateFields, EveryByteOutsideVectorsIsInTheListOrPadding) {
   State s = smallState();
-  s.threadContacts.drag.assign(1, 0.0);        // a scene whose thread meets itself: all of its table is in use
+  s.strand.holeCount = StrandState::kMaxHoles;   // all of every table is in use
+  s.threadContacts.drag.assign(1, 0.0);        // a scene whose thread meets itself
   s.threadContacts.count = ThreadContactState::kMaxContacts;
   s.knot.watched = true;
   Coverage coverage{reinterpret_cast<const unsigned char*>(&s), std::vector<char>(sizeof s, 0)};
@@ -96,7 +97,8 @@ TEST(StateFields, EveryByteOutsideVectorsIsInTheListOrPadding) {
 }
 
 TEST(StateFields, NamesFollowTheDeclarations) {
-  const State a = smallState();
+  State a = smallState();
+  a.strand.holeCount = 4;
   const auto named = [&](auto change) {
     State b = a;
     change(b);

@@ -1,0 +1,149 @@
+#include "sim/suture/tied_stitches.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/lanes.h"
+#include "sim/model.h"
+#include "sim/state.h"
+#include "sim/suture/holes.h"
+#include "sim/tissue/projective_model.h"
+
+namespace halsted {
+namespace {
+
+constexpr double kRoom = 1.25;                 // [1] stitches turn after they were tied: what they share is an estimate from then
+
+using Directions = std::array<Vec3, TiedStitch::kMostHoles>;   // [1]
+
+Vec3 pointOf(const Model& m, const TissuePoint& p, std::span<const Vec3> x) {   // [m]
+  const auto& v = m.tissue.tets[p.tet];
+  return p.weight[0] * x[v[0]] + p.weight[1] * x[v[1]] + p.weight[2] * x[v[2]] + p.weight[3] * x[v[3]];
+}
+
+double compliance(const Model& m, const TissuePoint& a, const TissuePoint& b) {   // [m/N]
+  double sum = 0.0;                            // [m/N]
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      sum += a.weight[i] * b.weight[j] * compliance(m.tissue.projective, m.tissue.tets[a.tet][i], m.tissue.tets[b.tet][j]);
+  return sum;
+}
+
+/// Where a loop under a newton of tension pulls each hole: toward the hole before and the hole after it. Returns the loop's length.  [m]
+double pullsOf(const Model& m, const TiedStitch& s, std::span<const Vec3> x, Directions& pull) {   // x [m]
+  Directions point;                            // [m]
+  for (int i = 0; i < s.holeCount; ++i) {
+    point[i] = pointOf(m, s.hole[i], x);
+    pull[i] = Vec3::Zero();
+  }
+  double length = 0.0;                         // [m]
+  for (int i = 0; i < s.holeCount; ++i) {
+    const int next = i + 1 < s.holeCount ? i + 1 : 0;
+    const Vec3 way = point[next] - point[i];   // [m]
+    const double size = way.norm();            // [m]
+    length += size;
+    if (size < 1e-9) continue;
+    pull[i] += way / size;
+    pull[next] -= way / size;
+  }
+  return length;
+}
+
+/// How far a newton of tension closes the loop itself.  [m/N]
+double ownGive(const TiedStitch& s, const Directions& pull) {
+  double sum = 0.0;                            // [m/N]
+  for (int i = 0; i < s.holeCount; ++i)
+    for (int j = 0; j < s.holeCount; ++j) sum += s.give[i * TiedStitch::kMostHoles + j] * pull[i].dot(pull[j]);
+  return sum;
+}
+
+/// How far a newton of tension in one loop closes or opens another.  [m/N]
+double sharedGive(const Model& m, const TiedStitch& a, const TiedStitch& b, std::span<const Vec3> x) {   // x [m]
+  Directions pullA, pullB;
+  pullsOf(m, a, x, pullA);
+  pullsOf(m, b, x, pullB);
+  double sum = 0.0;                            // [m/N]
+  for (int i = 0; i < a.holeCount; ++i)
+    for (int j = 0; j < b.holeCount; ++j) sum += compliance(m, a.hole[i], b.hole[j]) * pullA[i].dot(pullB[j]);
+  return kRoom * magnitude(sum);
+}
+
+void addForces(const Model& m, const TiedStitch& s, double sign, std::vector<Vec3>& nodal) {   // sign [1], nodal [N]
+  for (int i = 0; i < s.holeCount; ++i)
+    for (int c = 0; c < 4; ++c) nodal[m.tissue.tets[s.hole[i].tet][c]] += sign * s.hole[i].weight[c] * s.force[i];
+}
+
+/// Implicit on the tissue's one-step compliance, as if every other stitch changed as much: it can only undershoot.
+void solveLoop(const Model& m, TiedStitch& s, std::span<const Vec3> x) {   // x [m]
+  Directions pull;
+  const double stretched = pullsOf(m, s, x, pull) - s.length;                  // [m]
+  const double stiffness = m.params.thread.axialStiffness / s.length;          // [N/m]
+  const double give = ownGive(s, pull) + s.shared;                             // [m/N]
+  s.tension = std::fmax(0.0, s.tension + (stiffness * stretched - s.tension) / (1.0 + stiffness * give));
+  for (int i = 0; i < s.holeCount; ++i) s.force[i] = s.tension * pull[i];
+}
+
+double hardestPull(const TiedStitch& s) {      // [N] at one of its holes
+  double most = 0.0;                           // [N^2]
+  for (int i = 0; i < s.holeCount; ++i) most = std::fmax(most, s.force[i].squaredNorm());
+  return std::sqrt(most);
+}
+
+void removeStitch(const Model& m, int which, double pull, State& s, StepOutput& out) {   // pull [N]
+  TiedStitches& all = *s.stitches;
+  addForces(m, all.stitch[which], -1.0, s.work.change);
+  std::copy(all.stitch.begin() + which + 1, all.stitch.begin() + all.count, all.stitch.begin() + which);
+  all.stitch[--all.count] = TiedStitch{};
+  ++all.torn;
+  ++s.metrics.tears;
+  pushEvent(out, {s.step, EventKind::kChannelTorn, -1, which, pull});
+}
+
+}  // namespace
+
+double loopLength(const Model& m, const TiedStitch& s, std::span<const Vec3> x) {
+  Directions pull;
+  return pullsOf(m, s, x, pull);
+}
+
+bool tieStitch(const Model& m, State& s, std::span<const TissuePoint> holes, double length) {
+  if (!s.stitches) return false;
+  TiedStitches& all = *s.stitches;
+  if (all.count == TiedStitches::kMost || holes.size() < 2 || holes.size() > TiedStitch::kMostHoles || !(length > 0.0)) return false;
+  TiedStitch& fresh = all.stitch[all.count];
+  fresh = TiedStitch{};
+  fresh.holeCount = static_cast<std::int32_t>(holes.size());
+  fresh.length = length;
+  std::copy(holes.begin(), holes.end(), fresh.hole.begin());
+  for (int i = 0; i < fresh.holeCount; ++i)
+    for (int j = 0; j < fresh.holeCount; ++j) fresh.give[i * TiedStitch::kMostHoles + j] = compliance(m, fresh.hole[i], fresh.hole[j]);
+  for (int k = 0; k < all.count; ++k) {
+    const double give = sharedGive(m, fresh, all.stitch[k], s.tissue.position);   // [m/N]
+    fresh.shared += give;
+    all.stitch[k].shared += give;
+  }
+  ++all.count;
+  return true;
+}
+
+void gatherStitchForces(const Model& m, const State& s, std::vector<Vec3>& nodal) {
+  if (!s.stitches) return;
+  for (int k = 0; k < s.stitches->count; ++k) addForces(m, s.stitches->stitch[k], 1.0, nodal);
+}
+
+void settleStitches(const Model& m, State& s, StepOutput& out) {
+  if (!s.stitches) return;
+  TiedStitches& all = *s.stitches;
+  for (int k = 0; k < all.count; ++k) {
+    TiedStitch& stitch = all.stitch[k];
+    addForces(m, stitch, -1.0, s.work.change);
+    solveLoop(m, stitch, s.tissue.position);
+    addForces(m, stitch, 1.0, s.work.change);
+  }
+  for (int k = all.count - 1; k >= 0; --k) {
+    const double pull = hardestPull(all.stitch[k]);              // [N]
+    if (pull > m.params.needle.tearForce) removeStitch(m, k, pull, s, out);
+  }
+}
+
+}  // namespace halsted
