@@ -45,7 +45,7 @@ void beginSuture(const Model& m, State& s) {
   s.work.strand = prepareWork(m.strand);
   s.work.force.assign(m.mesh.vertices.size(), Vec3::Zero());
   s.work.change.assign(m.mesh.vertices.size(), Vec3::Zero());
-  for (auto* list : {&s.work.self.cell, &s.work.self.item}) list->resize(m.surface.vertices.size());
+  for (auto* list : {&s.work.self.cell, &s.work.self.item, &s.work.self.inside}) list->resize(m.surface.vertices.size());
   s.work.self.place.assign(3 * m.surface.vertices.size() + 4, 0.0);
   for (NearPairs& near : s.work.self.nearby) {
     for (auto* list : {&near.vertex, &near.triangle}) list->resize(NearPairs::kMost);

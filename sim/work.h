@@ -45,6 +45,7 @@ struct SelfWork {
   std::array<std::int32_t, kCells + 1> start{};
   std::vector<std::int32_t> cell, item;        // per surface vertex: its cell; vertices sorted by cell
   std::vector<double> place;                   // [m] x of all `item`, then y, then z; a little longer, to be read four at a time
+  std::vector<std::int32_t> inside;            // of the run being looked at; as long as `item`
   std::vector<std::int32_t> ring;              // per vertex: the last triangle of which it is a neighbour, or that it stays in a pair with
   int count = 0;
   std::array<std::int32_t, TissueState::kMaxPairs> vertex{}, triangle{};

@@ -1,8 +1,5 @@
 #pragma once
-/// A triangle's first question to many vertices, most of which it rejects: is it between two planes and inside a ball?
-#include <bit>
-
-#include "sim/lanes.h"
+/// A triangle's first question to many vertices, most of which it rejects: is it between two planes and inside a ball? No heap.
 #include "sim/types.h"
 #include "sim/work.h"
 
@@ -24,37 +21,7 @@ inline bool insideBall(const Face& f, const Vec3& p) {   // p [m]
   return (height < f.above) & (height > -f.behind) & (d.squaredNorm() < f.squaredReach);
 }
 
-using Two = double __attribute__((vector_size(16)));   // SSE2, which every x86-64 has
-
-HALSTED_INLINE Two loadTwo(const double* p) { return Two{p[0], p[1]}; }
-HALSTED_INLINE Two twice(double x) { return Two{x, x}; }   // [any]
-
-/// What of a face tells which vertices are inside, for two side by side.
-struct Ball {
-  explicit Ball(const Face& f) : above(twice(f.above)), below(twice(-f.behind)), squaredReach(twice(f.squaredReach)) {
-    for (int axis = 0; axis < 3; ++axis) {
-      normal[axis] = twice(f.normal[axis]);
-      centre[axis] = twice(f.centre[axis]);
-    }
-  }
-  Two normal[3], centre[3];                      // [1], [m]
-  Two above, below, squaredReach;                // [m], [m], [m^2]
-};
-
-/// One bit a lane. Each comparison on its own: joined as vectors first, gcc takes them apart into single numbers.
-HALSTED_INLINE int bits(auto mask) { return __builtin_ia32_movmskpd(std::bit_cast<Two>(mask)); }
-/// The same for two vertices: bit 0 and bit 1.
-HALSTED_INLINE int insideBall(const Ball& b, const double* x, const double* y, const double* z) {   // [m]
-  const Two dx = loadTwo(x) - b.centre[0], dy = loadTwo(y) - b.centre[1], dz = loadTwo(z) - b.centre[2];
-  const Two height = dx * b.normal[0] + dy * b.normal[1] + dz * b.normal[2];
-  return bits(height < b.above) & bits(height > b.below) & bits(dx * dx + dy * dy + dz * dz < b.squaredReach);
-}
-
-/// Of the four entries from `e` on, those before `end`.
-HALSTED_INLINE int insideBall(const Ball& b, const SelfWork& w, int e, int end) {
-  const double *x = w.place.data() + e, *y = x + w.item.size(), *z = y + w.item.size();
-  const int four = insideBall(b, x, y, z) | insideBall(b, x + 2, y + 2, z + 2) << 2;
-  return end - e < 4 ? four & ((1 << (end - e)) - 1) : four;
-}
+/// Entries of a run `from` .. `to` of `w.item` that are inside, in order, into `w.inside`; returns how many.
+int insideRun(const Face&, int from, int to, SelfWork& w);
 
 }  // namespace halsted

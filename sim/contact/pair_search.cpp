@@ -1,7 +1,6 @@
 #include "sim/contact/pair_search.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -118,26 +117,24 @@ bool enlist(const Face& face, int vertex, const Vec3& p, NearPairs& list) {   //
   return far2 <= kWatched * kWatched;
 }
 
-void searchRun(const Model& m, const Face& face, const Ball& ball, std::array<int, 2> run, NearPairs* list, State& s) {
-  const SelfWork& w = s.work.self;
-  for (int e = run[0]; e < run[1]; e += 4) {
-    for (int inside = insideBall(ball, w, e, run[1]); inside != 0; inside &= inside - 1) {
-      const int vertex = w.item[e + std::countr_zero(static_cast<unsigned>(inside))];
-      if (w.ring[vertex] == ringMark(face.index) || (face.held && m.tissue.isFixed[vertex])) continue;
-      const bool candidate = list == nullptr || enlist(face, vertex, s.tissue.position[vertex], *list);
-      if (candidate && w.ring[vertex] != keptMark(face.index)) offer(m, face, vertex, s);
-    }
+void searchRun(const Model& m, const Face& face, std::array<int, 2> run, NearPairs* list, State& s) {
+  SelfWork& w = s.work.self;
+  const int count = insideRun(face, run[0], run[1], w);
+  for (int i = 0; i < count; ++i) {
+    const int vertex = w.inside[i];
+    if (w.ring[vertex] == ringMark(face.index) || (face.held && m.tissue.isFixed[vertex])) continue;
+    const bool candidate = list == nullptr || enlist(face, vertex, s.tissue.position[vertex], *list);
+    if (candidate && w.ring[vertex] != keptMark(face.index)) offer(m, face, vertex, s);
   }
 }
 
 void searchFace(const Model& m, const VertexGrid& grid, const Face& face, const Scope& scope, State& s) {
   const SelfWork& w = s.work.self;
-  const Ball ball(face);
   const Vec3 margin = Vec3::Constant(scope.aside);
   const Cell low = grid.at(face.a.cwiseMin(face.b).cwiseMin(face.c) - margin), high = grid.at(face.a.cwiseMax(face.b).cwiseMax(face.c) + margin);
   for (int x = low[0]; x <= high[0]; ++x)
     for (int y = low[1]; y <= high[1]; ++y)
-      searchRun(m, face, ball, {w.start[VertexGrid::index(x, y, low[2])], w.start[VertexGrid::index(x, y, high[2]) + 1]}, scope.list, s);
+      searchRun(m, face, {w.start[VertexGrid::index(x, y, low[2])], w.start[VertexGrid::index(x, y, high[2]) + 1]}, scope.list, s);
 }
 
 /// Triangle holds every corner of `triangle` that has weight: it meets it in the edge or corner where the weights are.

@@ -62,6 +62,7 @@ bool gatherLoads(const Model& m, const State& s, std::vector<double>& load) {
     for (int k = 0; k < 3; ++k) load[m.surface.triangles[t.pairTriangle[i]][k]] += g.weight[k];
     any = true;
   }
+  if (!(m.params.anvil.radius > 0.0)) return any;
   for (int v : m.surface.vertices) {
     if (!rodGap(m, t, v).touches) continue;
     load[v] += 1.0;

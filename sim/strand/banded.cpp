@@ -1,32 +1,54 @@
 #include "sim/strand/banded.h"
 
-namespace halsted {
+#include <utility>
 
-bool BandedMatrix::factorAndSolve(double* x) {
-  double* a = entries_.data();
-  for (int j = 0; j < size_; ++j) {
+#include "sim/lanes.h"
+
+namespace halsted {
+namespace {
+
+constexpr int kHalf = BandedMatrix::kHalf, kStride = BandedMatrix::kStride;
+
+/// Takes column 0 of `row` out of the row that lies I below it; its length is known to the compiler, which does several at once.
+template <int I> HALSTED_INLINE void eliminate(double* row, double inverse, double xj, double* x) {   // [1]
+  if (row[I] == 0.0) return;
+  const double factor = row[I] * inverse;
+  double* target = row + I * kStride;
+  for (int k = I; k <= kHalf; ++k) target[k - I] -= factor * row[k];
+  x[I] -= factor * xj;
+}
+
+template <int... I> HALSTED_INLINE void eliminateAll(double* row, double inverse, double xj, double* x, std::integer_sequence<int, I...>) {   // [1]
+  (eliminate<I + 1>(row, inverse, xj, x), ...);
+}
+
+/// The rows below the last are there too, all zeros.
+HALSTED_INLINE bool solveBody(double* a, int size, double* x) {   // [1]
+  for (int j = 0; j < size; ++j) {
     double* row = a + static_cast<std::size_t>(j) * kStride;
     if (!(row[0] > 0.0)) return false;
     const double inverse = 1.0 / row[0];
-    const int last = size_ - 1 - j < kHalf ? size_ - 1 - j : kHalf;
-    const double xj = x[j];
-    for (int i = 1; i <= last; ++i) {
-      if (row[i] == 0.0) continue;
-      const double factor = row[i] * inverse;
-      double* target = a + static_cast<std::size_t>(j + i) * kStride - i;
-      for (int k = i; k <= kHalf; ++k) target[k] -= factor * row[k];
-      x[j + i] -= factor * xj;
-    }
+    eliminateAll(row, inverse, x[j], x + j, std::make_integer_sequence<int, kHalf>());
     row[0] = inverse;
   }
-  for (int j = size_ - 1; j >= 0; --j) {
+  for (int j = size - 1; j >= 0; --j) {
     const double* row = a + static_cast<std::size_t>(j) * kStride;
-    const int last = size_ - 1 - j < kHalf ? size_ - 1 - j : kHalf;
+    const int last = size - 1 - j < kHalf ? size - 1 - j : kHalf;
     double sum = x[j];
     for (int k = 1; k <= last; ++k) sum -= row[k] * x[j + k];
     x[j] = sum * row[0];
   }
   return true;
+}
+
+__attribute__((target("avx2"))) bool solveWide(double* a, int size, double* x) { return solveBody(a, size, x); }   // [1]
+bool solveNarrow(double* a, int size, double* x) { return solveBody(a, size, x); }                                  // [1]
+
+}  // namespace
+
+bool BandedMatrix::factorAndSolve(double* x) {
+  static const bool wide = __builtin_cpu_supports("avx2");   // the bits are the same without
+  return wide ? solveWide(entries_.data(), size_, x) : solveNarrow(entries_.data(), size_, x);
 }
 
 }  // namespace halsted

@@ -20,7 +20,9 @@ struct ProjectiveModel {
   struct Panel {
     int first = 0, width = 0;                  // columns
     int rows = 0, row = 0, value = 0;          // count, its own columns first; where these begin in `row` and `value`
+    int part = 0;                              // of the tissue: pieces that hang together by no tet do not feel each other
   };
+  static constexpr int kMostParts = 8;         // more than these count as one
   std::vector<int> permutation;                // factor index of each particle
   std::vector<Panel> panels;                   // ascending columns
   std::vector<int> row;                        // four times the row of each entry, ascending within a panel
@@ -28,6 +30,7 @@ struct ProjectiveModel {
   // Columns in an order for the way back, two at a time that do not need each other: one addition need not wait for the last.
   struct Column { int index = 0, row = 0, value = 0, stride = 0, count = 0; };   // entries below the diagonal: where they begin
   std::vector<std::array<Column, 2>> backward;     // the second is empty (index -1) where there is no other
+  std::vector<int> partEnd;                    // where in `backward` each part ends
   std::vector<double> inverseDiagonal;         // [m/N] of D
   std::vector<double> self;                    // [m/N] per particle: the diagonal of `inverse`
   std::vector<double> inverse;                 // [m/N] dense A^-1, row-major: the compliance seen by contacts

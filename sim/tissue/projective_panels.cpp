@@ -20,7 +20,7 @@ bool continues(const FactorColumns& f, int column) {
 void addPanel(const FactorColumns& f, int first, int width, ProjectiveModel& p) {
   const auto below = rowsOf(f, first + width - 1);
   const int rows = width + static_cast<int>(below.size());
-  const ProjectiveModel::Panel panel{first, width, rows, static_cast<int>(p.row.size()), static_cast<int>(p.value.size())};
+  const ProjectiveModel::Panel panel{first, width, rows, static_cast<int>(p.row.size()), static_cast<int>(p.value.size()), 0};
   for (int c = 0; c < width; ++c) p.row.push_back(4 * (first + c));
   for (int r : below) p.row.push_back(4 * r);
   p.value.resize(p.value.size() + static_cast<std::size_t>(rows * width), 0.0);
@@ -37,21 +37,30 @@ std::vector<ProjectiveModel::Column> columnsOf(const ProjectiveModel& p) {
   return columns;
 }
 
-/// On the way back a column needs those of its rows, all of them above it in the elimination tree (Liu 1990). Of the columns whose
-/// turn may come the two go first that the longest chains wait for.
-void scheduleBackward(const FactorColumns& f, ProjectiveModel& p) {
-  const auto columns = columnsOf(p);
-  const int n = static_cast<int>(columns.size());
-  std::vector<std::vector<int>> children(columns.size());
-  std::vector<int> chain(columns.size(), 0);                           // entries from the column down to its farthest leaf
-  std::set<std::array<int, 2>> ready;                                  // longest chain last
-  for (int j = 0; j < n; ++j) {
-    chain[j] += columns[j].count + 1;
-    if (columns[j].count == 0) { ready.insert({chain[j], j}); continue; }
-    const int parent = f.row[f.start[j]];
-    children[parent].push_back(j);
-    chain[parent] = std::max(chain[parent], chain[j]);
+/// Elimination tree (Liu 1990): on the way back a column needs those of its rows, all of them above it.
+struct Forest {
+  std::vector<std::vector<int>> children;      // of each column
+  std::vector<int> chain;                      // entries from the column down to its farthest leaf
+  std::vector<int> roots;                      // one for each part of the tissue, the large ones first; what is held is a part by itself
+};
+
+Forest forestOf(const FactorColumns& f) {
+  const std::size_t n = f.start.size() - 1;
+  Forest t{std::vector<std::vector<int>>(n), std::vector<int>(n, 0), {}};
+  for (int j = 0; j < static_cast<int>(n); ++j) {
+    const auto rows = rowsOf(f, j);
+    t.chain[j] += static_cast<int>(rows.size()) + 1;
+    if (rows.empty()) { t.roots.push_back(j); continue; }
+    t.children[rows[0]].push_back(j);
+    t.chain[rows[0]] = std::max(t.chain[rows[0]], t.chain[j]);
   }
+  std::stable_sort(t.roots.begin(), t.roots.end(), [&](int a, int b) { return t.chain[a] > t.chain[b]; });
+  return t;
+}
+
+/// Of the columns of one part whose turn may come the two go first that the longest chains wait for.
+void scheduleBackward(const Forest& t, int root, const std::vector<ProjectiveModel::Column>& columns, ProjectiveModel& p) {
+  std::set<std::array<int, 2>> ready{{t.chain[root], root}};           // longest chain last
   while (!ready.empty()) {
     std::array<ProjectiveModel::Column, 2> pair;
     for (auto& column : pair) {
@@ -61,9 +70,18 @@ void scheduleBackward(const FactorColumns& f, ProjectiveModel& p) {
       ready.erase(std::prev(ready.end()));
     }
     for (const auto& column : pair)
-      if (column.index >= 0) for (int child : children[column.index]) ready.insert({chain[child], child});
+      if (column.index >= 0) for (int child : t.children[column.index]) ready.insert({t.chain[child], child});
     p.backward.push_back(pair);
   }
+}
+
+/// Which part each column belongs to.
+void nameParts(const Forest& t, ProjectiveModel& p) {
+  std::vector<int> part(t.children.size(), 0);
+  for (std::size_t k = 0; k < t.roots.size(); ++k) part[t.roots[k]] = std::min(static_cast<int>(k), ProjectiveModel::kMostParts - 1);
+  for (int j = static_cast<int>(part.size()) - 1; j >= 0; --j)         // parents come after their children
+    for (int child : t.children[j]) part[child] = part[j];
+  for (ProjectiveModel::Panel& panel : p.panels) panel.part = part[panel.first];
 }
 
 }  // namespace
@@ -76,7 +94,14 @@ void layOutFactor(const FactorColumns& f, ProjectiveModel& p) {
     addPanel(f, first, width, p);
     first += width;
   }
-  scheduleBackward(f, p);
+  const Forest forest = forestOf(f);
+  nameParts(forest, p);
+  const auto columns = columnsOf(p);
+  for (std::size_t k = 0; k < forest.roots.size(); ++k) {
+    scheduleBackward(forest, forest.roots[k], columns, p);
+    if (static_cast<int>(k) < ProjectiveModel::kMostParts) p.partEnd.push_back(0);
+    p.partEnd.back() = static_cast<int>(p.backward.size());
+  }
 }
 
 }  // namespace halsted

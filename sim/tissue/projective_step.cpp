@@ -142,8 +142,8 @@ void localStep(const TissueModel& m, TissueState& s, TissueWork& w) {
 }
 
 /// Rows are (x, y, z, 0): four lanes, of which three carry a right-hand side. A target sees its columns in ascending order, as when
-/// they come one by one. A push at a few points leaves most panels with nothing to pass on.
-template <int W> HALSTED_INLINE void eliminate(const ProjectiveModel& p, const ProjectiveModel::Panel& panel, double* rows) {
+/// they come one by one. A push at a few points leaves most panels with nothing to pass on: false.
+template <int W> HALSTED_INLINE bool eliminate(const ProjectiveModel& p, const ProjectiveModel::Panel& panel, double* rows) {
   const double* value = p.value.data() + panel.value;
   const int* row = p.row.data() + panel.row;
   double* own = rows + 4 * panel.first;
@@ -154,7 +154,7 @@ template <int W> HALSTED_INLINE void eliminate(const ProjectiveModel& p, const P
     for (int c = 0; c < r; ++c) x[r] = x[r] - value[r * W + c] * x[c];
     none = none && x[r][0] == 0.0 && x[r][1] == 0.0 && x[r][2] == 0.0 && x[r][3] == 0.0;
   }
-  if (none) return;
+  if (none) return false;
   for (int r = 1; r < W; ++r) storeLanes(own + 4 * r, x[r]);
   for (int r = W; r < panel.rows; ++r) {
     double* target = rows + row[r];
@@ -162,6 +162,7 @@ template <int W> HALSTED_INLINE void eliminate(const ProjectiveModel& p, const P
     for (int c = 0; c < W; ++c) sum = sum - value[r * W + c] * x[c];
     storeLanes(target, sum);
   }
+  return true;
 }
 
 HALSTED_INLINE Lanes4 entry(const ProjectiveModel& p, const ProjectiveModel::Column& c, int k, const double* rows) {   // [m] or [N]
@@ -188,18 +189,26 @@ HALSTED_INLINE void substitute(const ProjectiveModel& p, const ProjectiveModel::
   storeLanes(rows + 4 * a.index, x);
 }
 
-HALSTED_INLINE void solveBody(const ProjectiveModel& p, double* rows) {
-  for (const ProjectiveModel::Panel& panel : p.panels) {
-    switch (panel.width) {
-      case 1: eliminate<1>(p, panel, rows); break;
-      case 2: eliminate<2>(p, panel, rows); break;
-      case 3: eliminate<3>(p, panel, rows); break;
-      default: eliminate<4>(p, panel, rows);
-    }
+HALSTED_INLINE bool eliminatePanel(const ProjectiveModel& p, const ProjectiveModel::Panel& panel, double* rows) {
+  switch (panel.width) {
+    case 1: return eliminate<1>(p, panel, rows);
+    case 2: return eliminate<2>(p, panel, rows);
+    case 3: return eliminate<3>(p, panel, rows);
+    default: return eliminate<4>(p, panel, rows);
   }
-  for (const auto& pair : p.backward) {
-    if (pair[1].index >= 0) substitute(p, pair[0], pair[1], rows);
-    else substitute(p, pair[0], rows);
+}
+
+HALSTED_INLINE void solveBody(const ProjectiveModel& p, double* rows) {
+  bool pushed[ProjectiveModel::kMostParts] = {};
+  for (const ProjectiveModel::Panel& panel : p.panels) pushed[panel.part] |= eliminatePanel(p, panel, rows);
+  int pair = 0;
+  for (std::size_t part = 0; part < p.partEnd.size(); ++part) {
+    if (!pushed[part]) pair = p.partEnd[part];                         // nothing moves there
+    for (; pair < p.partEnd[part]; ++pair) {
+      const auto& columns = p.backward[pair];
+      if (columns[1].index >= 0) substitute(p, columns[0], columns[1], rows);
+      else substitute(p, columns[0], rows);
+    }
   }
 }
 
