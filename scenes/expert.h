@@ -23,6 +23,7 @@ struct ExpertAction {
   double depth = 5e-3;                         // depth_mm [m] entry from the rim; of a needle's tip, 0: the textbook's; of a pressing finger
   double exitDepth = 0.0;                      // exit_depth_mm [m] a bite across the edge comes out here, at the same angle; 0: along the rim
   bool counterClockwise = false;               // counter_clockwise: the bite runs the other way along the rim
+  bool through = false;                        // through: outside in and inside out, the needle crosses the lumen between; else it stays in the wall
   double sink = 0.0;                           // sink_mm [m] deeper than the places ask: through the mucosa and back
   double tilt = 0.0;                           // tilt_deg [deg] of the needle's plane, lifts the driver's shaft off the wall
   double width = 6e-3;                         // width_mm [m] entry to exit, clockwise along the rim

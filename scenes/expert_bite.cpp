@@ -2,6 +2,7 @@
 
 #include "scenes/expert_state.h"
 #include "sim/portable_math.h"
+#include "sim/suture/hole_sides.h"
 #include "sim/suture/holes.h"
 
 namespace halsted::scenes {
@@ -82,6 +83,16 @@ bool tipInWall(const State& s) {
   return s.strand.holeCount > 0 && s.strand.holes[s.strand.holeCount - 1].role == static_cast<int>(HoleRole::kTip);
 }
 
+/// How often the tip has come out of the wall in the bite under way: through the lumen it does twice.
+int exits(const Scene& s) {
+  int count = 0;
+  for (int i = 0; i < s.state.strand.holeCount; ++i) {
+    const Hole& h = s.state.strand.holes[i];
+    count += h.bite >= s.memory.bite && (h.role == static_cast<int>(HoleRole::kExit) || h.role == static_cast<int>(HoleRole::kPassed));
+  }
+  return count;
+}
+
 /// The needle is off the wall again: once more, lower or higher, or this surgeon cannot do it.
 void again(const Scene& s, double lower, std::string& failure) {   // [m]
   ExpertState& e = s.memory;
@@ -94,22 +105,24 @@ void again(const Scene& s, double lower, std::string& failure) {   // [m]
   goTo(s, kBackOff);
 }
 
-/// Has the tip come out so near to where it went in that it is through the wall, in the lumen?
-bool perforated(const Scene& s) {
+/// Has the tip come out where it should not: so near to where it went in that it is through the wall, in the lumen; or, where that is
+/// wanted, on the outside at once?
+bool astray(const Scene& s) {
   const Hole* exit = exitHole(s.state, s.memory.bite);
   if (exit == nullptr || exit == s.state.strand.holes.data()) return false;
+  if (s.action.through) return exits(s) == 1 && !onMucosa(s.model, *exit);
   const std::span<const Vec3> rest = s.model.mesh.vertices;
   return (holePoint(s.model, *exit, rest) - holePoint(s.model, *(exit - 1), rest)).norm() < kPerforated * s.action.width;
 }
 
-/// Back along the arc until the wall is free of the needle, then a new bite, shallower.
+/// Back along the arc until the wall is free of the needle, then a new bite, shallower; deeper, if it was to go through.
 void withdraw(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   e.tipAngle = std::fmax(e.tipAngle - kSweepSpeed / s.model.strand.needle.radius * s.dt, e.plan.entryAngle - kLeadIn);
   const bool back = moveHand(s, kRight, toolFor(s, kRight, onPressedCircle(s)), 0.05) && e.tipAngle <= e.plan.entryAngle - kLeadIn;
   if (!back) return;
   if (!entered(s.state, e.bite)) e.bite = s.state.strand.bitesBegun;
-  again(s, -kShallower, failure);
+  again(s, s.action.through ? kDeeper : -kShallower, failure);
 }
 
 /// The needle, if the left hand has it, is shown to the driver and changes hands.
@@ -188,13 +201,13 @@ void drive(const Scene& s, std::string& failure) {
   } else if (e.phase == kTouch) {
     if (moveHand(s, kRight, toolFor(s, kRight, onCircle(s, Vec3::Zero())), 0.03) && s.inPhase > 0.5) nextPhase(s);
   } else {
-    const bool out = exitHole(s.state, e.bite) != nullptr && !tipInWall(s.state);
+    const bool out = exits(s) >= (s.action.through ? 2 : 1) && !tipInWall(s.state);
     const double most = e.plan.exitAngle + (out ? kLeadOut : kLeadOutMost);
     turnOrPress(s, most);
     moveHand(s, kRight, toolFor(s, kRight, onPressedCircle(s)), 0.05);
-    if (perforated(s)) goTo(s, kWithdraw);
+    if (astray(s)) goTo(s, kWithdraw);
     else if (out && e.tipAngle >= most) { e.goal[kLeft] = above(e.hand[kLeft].command, 0.02); goTo(s, kLetRim); }
-    else if (!out && e.tipAngle >= most && s.inPhase > 3.0) again(s, kDeeper, failure);
+    else if (!out && e.tipAngle >= most && s.inPhase > 3.0) s.action.through ? goTo(s, kWithdraw) : again(s, kDeeper, failure);
   }
 }
 

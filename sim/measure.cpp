@@ -46,11 +46,20 @@ const Hole& entryOf(const StrandState& s, const Hole& exit) {
   return exit;
 }
 
-void closeBite(int bite, int bowel, SeamMetrics& seam) {
+/// Share of the wall at a hole.  [1]
+double wallShare(const Model& m, const Hole& h) {
+  double share = 0.0;                          // [1]
+  for (int c = 0; c < 4; ++c) share += h.weight[c] * m.bowels.wallDepth[m.tissue.tets[h.tet][c]];
+  return share;
+}
+
+/// The needle's way went at least as deep as the deeper of the two holes: one from the inside out begins in the lumen.
+void closeBite(const Model& m, const std::array<const Hole*, 2>& ends, int bite, SeamMetrics& seam) {
+  for (const Hole* h : ends) seam.deepestTip = std::fmax(seam.deepestTip, wallShare(m, *h));
   if (bite < kMaxBites) seam.wallShare[bite] = seam.deepestTip;
   seam.fullThickness += seam.deepestTip > kThrough;
   seam.deepestTip = 0.0;
-  seam.lastBowel = bowel;
+  seam.lastBowel = bowelOf(m, *ends[0]);
 }
 
 void completeBite(const Model& m, const Hole& exit, State& s, StepOutput& out) {
@@ -69,7 +78,7 @@ void completeBite(const Model& m, const Hole& exit, State& s, StepOutput& out) {
   const bool sameBowel = !metrics.seam || metrics.seam->lastBowel == bowel;
   if (i > 0 && sameBowel && crossesOpening(rim, m.mesh.vertices, metrics.lastExit, entry)) ++metrics.acrossOpening;
   metrics.lastExit = at;
-  if (metrics.seam) closeBite(i, bowel, *metrics.seam);
+  if (metrics.seam) closeBite(m, {&entered, &exit}, i, *metrics.seam);
   pushEvent(out, {s.step, EventKind::kBiteCompleted, -1, i, i < kMaxBites ? metrics.bites[i].depth : 0.0});
 }
 
@@ -78,9 +87,7 @@ void followTip(const Model& m, const StrandState& strand, SeamMetrics& seam) {
   for (int i = 0; i < strand.holeCount; ++i) {
     const Hole& h = strand.holes[i];
     if (h.role != static_cast<std::int32_t>(HoleRole::kTip) && h.role != static_cast<std::int32_t>(HoleRole::kExit)) continue;
-    double share = 0.0;                        // [1]
-    for (int c = 0; c < 4; ++c) share += h.weight[c] * m.bowels.wallDepth[m.tissue.tets[h.tet][c]];
-    seam.deepestTip = std::fmax(seam.deepestTip, share);
+    seam.deepestTip = std::fmax(seam.deepestTip, wallShare(m, h));
   }
 }
 

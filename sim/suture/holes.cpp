@@ -5,6 +5,7 @@
 #include "sim/lanes.h"
 #include "sim/suture/cut.h"
 #include "sim/suture/hole_limits.h"
+#include "sim/suture/hole_sides.h"
 #include "sim/suture/knotting.h"
 
 namespace halsted {
@@ -239,6 +240,7 @@ void settleHoles(const Model& m, State& state, StepOutput& out) {
     addNodal(m, h, h.force, state.work.change);
   }
   removeLeftHoles(m, state, out);
+  rememberSides(m, state);
 }
 
 bool openEntry(const Model& m, int triangle, const std::array<double, 3>& weight, const Vec3& normal, State& state, StepOutput& out) {

@@ -1,0 +1,50 @@
+#include "sim/suture/hole_sides.h"
+
+#include "sim/lanes.h"
+
+namespace halsted {
+namespace {
+
+constexpr double kLed = 1.2;                   // [1] segments: as far as a hole leads the thread past it (strand_contacts.cpp)
+
+/// The hole that leads the strand at a coordinate; nullptr: none does.  [m]
+const Hole* leadingHole(const Model& m, const StrandState& s, double coordinate) {
+  const Hole* best = nullptr;
+  double least = kLed * m.strand.segment;      // [m]
+  for (int i = 0; i < s.holeCount; ++i) {
+    if (s.holes[i].role == static_cast<std::int32_t>(HoleRole::kTip)) continue;
+    const double off = magnitude(s.holes[i].coordinate - coordinate);   // [m]
+    if (off < least) { least = off; best = &s.holes[i]; }
+  }
+  return best;
+}
+
+/// A vertex of the face that the hole is in.
+int vertexAt(const Model& m, const Hole& h) {
+  int heaviest = 0;
+  for (int c = 1; c < 4; ++c)
+    if (h.weight[c] > h.weight[heaviest]) heaviest = c;
+  return m.tissue.tets[h.tet][heaviest];
+}
+
+}  // namespace
+
+bool onMucosa(const Model& m, const Hole& h) {
+  double share = 0.0;                          // [1] of the wall
+  for (int c = 0; c < 4; ++c) share += h.weight[c] * m.bowels.wallDepth[m.tissue.tets[h.tet][c]];
+  return share > 0.5;
+}
+
+void rememberSides(const Model& m, State& state) {
+  StrandState& s = state.strand;
+  if (m.bowels.count < 2 || s.holeCount == 0) return;
+  for (std::size_t i = 0; i < s.nearVertex.size(); ++i) {
+    const std::size_t nodes = static_cast<std::size_t>(m.strand.nodes);
+    const Hole* h = leadingHole(m, s, i < nodes ? m.strand.place[i] : m.strand.sampleCoordinate[i - nodes]);
+    if (h == nullptr) continue;
+    const bool inside = m.bowels.wallDepth[s.nearVertex[i]] > 0.5;
+    if (inside != onMucosa(m, *h)) s.nearVertex[i] = vertexAt(m, *h);
+  }
+}
+
+}  // namespace halsted
