@@ -29,7 +29,10 @@ double restingJaw(const Model& m, int hand, const State& s, double wanted) {
   const double squeezed = kClosing / (2.0 * p.jawRadius * m.params.thread.lateralModulus);   // [m]
   const double half = std::fmax(0.0, m.strand.radius - squeezed);                            // [m]
   double rest = wanted;                        // [1]
+  const double reach = kDeep + openedTo(p, 0.0) + 2.0 * p.jawRadius;                         // [m] of the tips; beyond, and a segment, nothing matters
   for (int i = 0; i + 1 < m.strand.nodes; ++i) {
+    const double far = reach + m.strand.rest[i];                                             // [m]
+    if ((s.strand.position[i] - t.proxy.position).squaredNorm() > far * far) continue;
     for (int k = 0; k < kPerSegment; ++k) {
       const double share = static_cast<double>(k) / kPerSegment;                             // [1]
       const Vec3 at = t.proxy.inverseApply((1.0 - share) * s.strand.position[i] + share * s.strand.position[i + 1]);
