@@ -6,6 +6,7 @@
 #include "sim/suture/holes.h"
 #include "sim/suture/knotting.h"
 #include "sim/tools/cutter.h"
+#include "sim/tools/jaw_rest.h"
 #include "sim/tools/touch.h"
 
 namespace halsted {
@@ -135,7 +136,7 @@ void moveTool(const Model& m, int hand, const ToolSample& sample, State& s, Step
   ToolState& t = s.tools[hand];
   t.device = sample.pose;
   if (t.ratchet && sample.jaw < kCloseBelow) t.ratchet = false;
-  if (!t.ratchet) t.jaw = std::fmin(1.0, std::fmax(0.0, sample.jaw));
+  if (!t.ratchet) t.jaw = restingJaw(m, hand, s, std::fmin(1.0, std::fmax(0.0, sample.jaw)));
   updateProxy(m, hand, s);
   if (!t.closed && t.jaw < kCloseBelow) {
     t.closed = true;
