@@ -104,7 +104,9 @@ TEST_P(WildHandsOnTwoEnds, StayFiniteAndNothingIsFlung) {
   std::printf("%s from %.1f s, seed %d, %d steps: at most %.2f N, %.3f mJ of %.1f g, %d holes, %d tears, %d breaks, %d steps with a number that is none\n", name, script,
               static_cast<int>(seed), steps, most, 1e3 * liveliest, 1e3 * mass, s.strand.holeCount, s.metrics.tears, s.knot.breaks, broken);
   EXPECT_EQ(broken, 0);
-  if (script < 1.0) EXPECT_LT(most, 60.0);
+  if (script < 1.0) {
+    EXPECT_LT(most, 60.0);
+  }
   EXPECT_LT(liveliest, 0.5 * mass * 1.6 * 1.6);   // all of it at 1.6 m/s, ten times as fast as the hands: the law of RandomHands
 }
 
