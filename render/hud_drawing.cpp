@@ -14,6 +14,24 @@ namespace {
 
 const char* const kFontPath = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";   // Debian fonts-dejavu-core
 
+/// A dot a step: filled when done, ringed when current. A long procedure shows the stretch that ends with the current step.
+void drawSteps(const Pen& pen, const std::vector<std::string>& ids, int current) {
+  constexpr float kFrom = 28, kTo = 384;                   // pixels
+  const int steps = static_cast<int>(ids.size()), last = std::clamp(current, 0, std::max(0, steps - 1));
+  const auto width = [&](int i) { return 22.0f + pen.width(ids[i].c_str(), 12); };   // pixels
+  int first = steps > 0 ? last : 0;
+  float room = kTo - kFrom - (steps > 0 ? width(last) : 0.0f);                       // pixels
+  for (; first > 0 && width(first - 1) <= room; --first) room -= width(first - 1);
+  float x = kFrom;                                         // pixels
+  for (int i = first; i < steps && x + width(i) <= kTo; ++i) {
+    const ImVec2 c = pen.at(x, 96);
+    if (i < current) pen.list->AddCircleFilled(c, 4.0f * pen.scale, kGood, 12);
+    else pen.list->AddCircle(c, 4.0f * pen.scale, i == current ? kText : kDim, 12, 1.4f * pen.scale);
+    pen.text(x + 7, 88, i == current ? kText : kDim, ids[i].c_str(), 12);
+    x += width(i);
+  }
+}
+
 void drawProcedure(const Pen& pen, const std::string& title, const std::vector<std::string>& ids,
                    const std::vector<std::string>& instructions, int current) {
   const int steps = static_cast<int>(ids.size());
@@ -25,15 +43,7 @@ void drawProcedure(const Pen& pen, const std::string& title, const std::vector<s
   } else if (steps) {
     pen.text(24, 41, kGood, "Procedure completed");
   }
-  float x = 28;                                            // pixels
-  for (int i = 0; i < steps; ++i) {                        // a dot a step: filled when done, ringed when current
-    const ImVec2 c = pen.at(x, 96);
-    if (i < current) pen.list->AddCircleFilled(c, 4.0f * pen.scale, kGood, 12);
-    else pen.list->AddCircle(c, 4.0f * pen.scale, i == current ? kText : kDim, 12, 1.4f * pen.scale);
-    pen.text(x + 7, 88, i == current ? kText : kDim, ids[i].c_str(), 12);
-    x += 16.0f + pen.width(ids[i].c_str(), 12) + 6.0f;
-    if (x > 372) break;
-  }
+  drawSteps(pen, ids, current);
 }
 
 const char* toolText(ToolKind tool) {

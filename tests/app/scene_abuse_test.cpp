@@ -68,10 +68,10 @@ bool finite(const State& s) {
   return s.strand.needle.position.allFinite() && s.tools[kLeft].force.allFinite() && s.tools[kRight].force.allFinite();
 }
 
-/// 4000 steps a case, or as many as HALSTED_ABUSE_STEPS says.
+/// 2000 steps a case, or as many as HALSTED_ABUSE_STEPS says.
 int abuseSteps() {
   const char* asked = std::getenv("HALSTED_ABUSE_STEPS");
-  return asked ? std::max(1, std::atoi(asked)) : 4000;
+  return asked ? std::max(1, std::atoi(asked)) : 2000;
 }
 
 using Case = std::tuple<const char*, double, std::uint64_t>;     // scene, [s] of its script before, seed
