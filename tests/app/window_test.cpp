@@ -4,6 +4,7 @@
 
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -25,11 +26,16 @@ const char* const kServer = "/usr/bin/Xvfb";
 class Screen {
  public:
   Screen() {
-    const std::string number = std::to_string(100 + getpid() % 400);
+    const std::string number = freeNumber();
     server_ = std::make_unique<RunningProcess>(std::vector<std::string>{kServer, ":" + number, "-screen", "0", "640x480x24", "-fbdir", folder_.path()});
     setenv("DISPLAY", (":" + number).c_str(), 1);
     for (int i = 0; i < 100 && !std::filesystem::exists("/tmp/.X11-unix/X" + number); ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+
+  ~Screen() {                                  // a server that is killed leaves its lock behind
+    server_->send(SIGTERM);
+    server_->wait();
   }
 
   /// Red, green, blue at a pixel of the screen.
@@ -47,6 +53,14 @@ class Screen {
   }
 
  private:
+  /// A display that no server has, nor left behind when it was killed.
+  static std::string freeNumber() {
+    int number = 100 + getpid() % 400;
+    const auto taken = [&](const char* before, const char* after) { return std::filesystem::exists(before + std::to_string(number) + after); };
+    while (taken("/tmp/.X", "-lock") || taken("/tmp/.X11-unix/X", "")) ++number;
+    return std::to_string(number);
+  }
+
   TemporaryFolder folder_;
   std::unique_ptr<RunningProcess> server_;
 };
