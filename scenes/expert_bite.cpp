@@ -207,7 +207,10 @@ void drive(const Scene& s, std::string& failure) {
     moveHand(s, kRight, toolFor(s, kRight, onPressedCircle(s)), 0.05);
     if (astray(s)) goTo(s, kWithdraw);
     else if (out && e.tipAngle >= most) { e.goal[kLeft] = above(e.hand[kLeft].command, 0.02); goTo(s, kLetRim); }
-    else if (!out && e.tipAngle >= most && s.inPhase > 3.0) s.action.through ? goTo(s, kWithdraw) : again(s, kDeeper, failure);
+    else if (!out && e.tipAngle >= most && s.inPhase > 3.0) {
+      if (s.action.through) goTo(s, kWithdraw);
+      else again(s, kDeeper, failure);
+    }
   }
 }
 

@@ -46,16 +46,9 @@ const Hole& entryOf(const StrandState& s, const Hole& exit) {
   return exit;
 }
 
-/// Share of the wall at a hole.  [1]
-double wallShare(const Model& m, const Hole& h) {
-  double share = 0.0;                          // [1]
-  for (int c = 0; c < 4; ++c) share += h.weight[c] * m.bowels.wallDepth[m.tissue.tets[h.tet][c]];
-  return share;
-}
-
 /// The needle's way went at least as deep as the deeper of the two holes: one from the inside out begins in the lumen.
 void closeBite(const Model& m, const std::array<const Hole*, 2>& ends, int bite, SeamMetrics& seam) {
-  for (const Hole* h : ends) seam.deepestTip = std::fmax(seam.deepestTip, wallShare(m, *h));
+  for (const Hole* h : ends) seam.deepestTip = std::fmax(seam.deepestTip, wallShare(m, placeOf(*h)));
   if (bite < kMaxBites) seam.wallShare[bite] = seam.deepestTip;
   seam.fullThickness += seam.deepestTip > kThrough;
   seam.deepestTip = 0.0;
@@ -87,7 +80,7 @@ void followTip(const Model& m, const StrandState& strand, SeamMetrics& seam) {
   for (int i = 0; i < strand.holeCount; ++i) {
     const Hole& h = strand.holes[i];
     if (h.role != static_cast<std::int32_t>(HoleRole::kTip) && h.role != static_cast<std::int32_t>(HoleRole::kExit)) continue;
-    seam.deepestTip = std::fmax(seam.deepestTip, wallShare(m, h));
+    seam.deepestTip = std::fmax(seam.deepestTip, wallShare(m, placeOf(h)));
   }
 }
 

@@ -84,32 +84,36 @@ nlohmann::ordered_json jsonOf(const StressSeries& series, const StressPoint& p) 
           {"step_ms", {{"p50", p.stepMedian}, {"p99", p.step99}}},
           {"frame_ms", p.stepMedian * kFrame / series.dt},
           {"real_time_1", p.stepMedian > 0.0 ? 1e3 * series.dt / p.stepMedian : 0.0},
+          {"thread_iterations", p.iterations},
+          {"thread_speed_m_s", p.threadSpeed},
           {"tension_n", p.tension},
           {"edge_gap_mm", 1e3 * p.gap},
           {"torn", p.torn}};
 }
 
-void printSeries(const StressSeries& series, const std::string& plot) {
+void printSeries(const StressSeries& series) {
   std::printf("%s: %d particles, %d tets, %d thread nodes\n", series.what.c_str(), series.particles, series.tets, series.threadNodes);
-  std::printf("%8s %11s %11s %12s %10s %11s %10s %5s\n", "stitches", "step p50", "step p99", "frame 12 ms", "real time", "tension", "edges", "torn");
+  std::printf("%8s %11s %11s %12s %10s %7s %10s %11s %10s %5s\n", "stitches", "step p50", "step p99", "frame 12 ms", "real time", "solves", "thread",
+              "tension", "edges", "torn");
   for (const StressPoint& p : series.points)
     if (p.stitches % 5 == 0)
-      std::printf("%8d %8.3f ms %8.3f ms %9.2f ms %9.2fx %9.2f N %7.2f mm %5d\n", p.stitches, p.stepMedian, p.step99,
-                  p.stepMedian * kFrame / series.dt, p.stepMedian > 0.0 ? 1e3 * series.dt / p.stepMedian : 0.0, p.tension, 1e3 * p.gap, p.torn);
-  std::printf("plot: %s\n", plot.c_str());
+      std::printf("%8d %8.3f ms %8.3f ms %9.2f ms %9.2fx %7.1f %6.2f m/s %9.2f N %7.2f mm %5d\n", p.stitches, p.stepMedian, p.step99,
+                  p.stepMedian * kFrame / series.dt, p.stepMedian > 0.0 ? 1e3 * series.dt / p.stepMedian : 0.0, p.iterations, p.threadSpeed, p.tension,
+                  1e3 * p.gap, p.torn);
 }
 
 int benchStress(const BenchOptions& options) {
   Progress progress;
   const StressSeries series = options.stress == "two-bodies" ? stressTwoBodies(progress) : stressOneBody(progress);
   const std::string plot = options.plot.empty() ? "stress-" + series.name + ".svg" : options.plot;
-  if (!options.json) printSeries(series, plot);
+  if (!options.json) printSeries(series);
   else {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const StressPoint& p : series.points) rows.push_back(jsonOf(series, p));
     std::printf("%s\n", rows.dump(2).c_str());
   }
   writePlot(series, plot);                     // last: a path that cannot be written costs no figures
+  if (!options.json) std::printf("plot: %s\n", plot.c_str());
   return 0;
 }
 

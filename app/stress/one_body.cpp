@@ -77,11 +77,7 @@ std::array<Pose, kHands> handsAt(const Model& m, const std::array<Pose, kHands>&
 }
 
 StressPoint look(TimedRun& run, int bites) {
-  StressPoint p;
-  const Percentiles step = run.time(kTimedSteps);
-  p.stitches = bites;
-  p.stepMedian = step.p50;
-  p.step99 = step.p99;
+  StressPoint p = run.look(bites, kTimedSteps);
   for (const double t : run.state.strand.tension) p.tension = std::max(p.tension, t);
   p.torn = run.state.metrics.tears;
   return p;

@@ -11,6 +11,8 @@ namespace halsted::app {
 struct StressPoint {
   int stitches = 0;
   double stepMedian = 0.0, step99 = 0.0;       // [ms]
+  double iterations = 0.0;                     // [1] of the thread's solve, mean of a step
+  double threadSpeed = 0.0;                    // [m/s] largest, mean of the steps: a thread at rest has none
   double tension = 0.0;                        // [N] largest in a stitch or in the thread
   double gap = 0.0;                            // [m] between the two edges at the stitches, at most; one body: 0
   int torn = 0;

@@ -48,11 +48,7 @@ double edgesApart(const TimedRun& run, int stitches) {
 }
 
 StressPoint look(TimedRun& run, int stitches) {
-  StressPoint p;
-  const Percentiles step = run.time(kTimedSteps);
-  p.stitches = stitches;
-  p.stepMedian = step.p50;
-  p.step99 = step.p99;
+  StressPoint p = run.look(stitches, kTimedSteps);
   for (int k = 0; k < run.state.stitches->count; ++k) p.tension = std::max(p.tension, run.state.stitches->stitch[k].tension);
   p.torn = run.state.stitches->torn;
   p.gap = edgesApart(run, stitches);

@@ -38,10 +38,4 @@ TissuePoint wallPoint(const Model& m, int bowel, WallSide side, double turn, dou
   throw std::out_of_range("the wall does not reach so deep");
 }
 
-Vec3 pointOf(const Model& m, const TissuePoint& p, std::span<const Vec3> x) {
-  Vec3 sum = Vec3::Zero();
-  for (int c = 0; c < 4; ++c) sum += p.weight[c] * x[m.tissue.tets[p.tet][c]];
-  return sum;
-}
-
 }  // namespace halsted::app

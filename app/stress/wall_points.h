@@ -1,7 +1,7 @@
 #pragma once
 /// Points of a bowel's wall by angle and depth, as a surgeon would name them. Load time.
 #include "sim/model.h"
-#include "sim/suture/tied_stitches.h"
+#include "sim/suture/tissue_point.h"
 
 namespace halsted::app {
 
@@ -10,7 +10,5 @@ enum class WallSide { kSerosa = 0, kMucosa = 1 };
 /// `turn` [1]: share of the way round the bowel, as the mesh counts it; `depth` [m]: along the wall from the rim. Throws std::out_of_range
 /// where the wall does not reach.
 TissuePoint wallPoint(const Model&, int bowel, WallSide, double turn, double depth);   // [1] [m]
-
-Vec3 pointOf(const Model&, const TissuePoint&, std::span<const Vec3> tissue);   // [m]
 
 }  // namespace halsted::app

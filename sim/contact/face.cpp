@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "sim/lanes.h"
+#include "sim/lane_math.h"
 
 namespace halsted {
 namespace {
@@ -81,7 +81,7 @@ __attribute__((target("avx2"))) int insideWide(const Face& f, int from, int to, 
 }  // namespace
 
 int insideRun(const Face& face, int from, int to, SelfWork& w) {
-  static const bool wide = __builtin_cpu_supports("avx2");       // the same entries without
+  static const bool wide = widestLanes() == LanePath::kWide;     // the same entries without
   return wide ? insideWide(face, from, to, w) : insideNarrow(face, from, to, w);
 }
 

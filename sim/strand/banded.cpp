@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "sim/lanes.h"
+#include "sim/lane_math.h"
 
 namespace halsted {
 namespace {
@@ -47,7 +47,7 @@ bool solveNarrow(double* a, int size, double* x) { return solveBody(a, size, x);
 }  // namespace
 
 bool BandedMatrix::factorAndSolve(double* x) {
-  static const bool wide = __builtin_cpu_supports("avx2");   // the bits are the same without
+  static const bool wide = widestLanes() == LanePath::kWide;   // the bits are the same without
   return wide ? solveWide(entries_.data(), size_, x) : solveNarrow(entries_.data(), size_, x);
 }
 

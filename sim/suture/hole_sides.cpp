@@ -1,16 +1,15 @@
 #include "sim/suture/hole_sides.h"
 
 #include "sim/lanes.h"
+#include "sim/suture/holes.h"
 
 namespace halsted {
 namespace {
 
-constexpr double kLed = 1.2;                   // [1] segments: as far as a hole leads the thread past it (strand_contacts.cpp)
-
 /// The hole that leads the strand at a coordinate; nullptr: none does.  [m]
 const Hole* leadingHole(const Model& m, const StrandState& s, double coordinate) {
   const Hole* best = nullptr;
-  double least = kLed * m.strand.segment;      // [m]
+  double least = kLedSegments * m.strand.segment;      // [m]
   for (int i = 0; i < s.holeCount; ++i) {
     if (s.holes[i].role == static_cast<std::int32_t>(HoleRole::kTip)) continue;
     const double off = magnitude(s.holes[i].coordinate - coordinate);   // [m]
@@ -30,9 +29,7 @@ int vertexAt(const Model& m, const Hole& h) {
 }  // namespace
 
 bool onMucosa(const Model& m, const Hole& h) {
-  double share = 0.0;                          // [1] of the wall
-  for (int c = 0; c < 4; ++c) share += h.weight[c] * m.bowels.wallDepth[m.tissue.tets[h.tet][c]];
-  return share > 0.5;
+  return wallShare(m, placeOf(h)) > 0.5;
 }
 
 void rememberSides(const Model& m, State& state) {

@@ -5,6 +5,8 @@
 
 namespace halsted {
 
+inline constexpr double kLedSegments = 1.2;    // [1] of the thread: so far past itself a hole leads it
+
 /// Is a hole on the inside of its wall, in the lumen?
 bool onMucosa(const Model&, const Hole&);
 

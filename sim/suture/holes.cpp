@@ -20,25 +20,17 @@ constexpr double kWithdrawForce = 0.02;        // [N] drag on a tip drawn back a
 
 bool onNeedle(const Model& m, const Hole& h) { return h.coordinate > m.strand.length; }
 
-double pairCompliance(const Model& m, const Hole& a, const Hole& b) {
-  double sum = 0.0;                            // [m/N]
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j)
-      sum += a.weight[i] * b.weight[j] * compliance(m.tissue.projective, m.tissue.tets[a.tet][i], m.tissue.tets[b.tet][j]);
-  return sum;
-}
-
 /// Own compliance, and an upper bound for the coupled system: with it the incremental exchange of force can only undershoot.
 void holeCompliances(const Model& m, const StrandState& s, HoleWork& w) {
   constexpr int kNeighbours = 3;
   constexpr double kFarShare = 0.06;           // [1] of the own compliance per farther hole; tuned: rings of 20 holes converge
   for (int i = 0; i < s.holeCount; ++i) {
-    w.self[i] = pairCompliance(m, s.holes[i], s.holes[i]);
+    w.self[i] = complianceBetween(m, placeOf(s.holes[i]), placeOf(s.holes[i]));
     w.bound[i] = w.self[i] * (1.0 + kFarShare * s.holeCount);
   }
   for (int i = 0; i < s.holeCount; ++i) {
     for (int j = i + 1; j < s.holeCount && j <= i + kNeighbours; ++j) {
-      const double shared = magnitude(pairCompliance(m, s.holes[i], s.holes[j]));
+      const double shared = magnitude(complianceBetween(m, placeOf(s.holes[i]), placeOf(s.holes[j])));
       w.bound[i] += shared;
       w.bound[j] += shared;
     }
@@ -200,12 +192,21 @@ double capstanExcess(const Vec3& before, const Vec3& after, double friction) {
   return x * (1.0 + x * (0.5 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x / 120.0))));
 }
 
-Vec3 holePoint(const Model& m, const Hole& h, std::span<const Vec3> x) {
-  const auto& v = m.tissue.tets[h.tet];
-  return h.weight[0] * x[v[0]] + h.weight[1] * x[v[1]] + h.weight[2] * x[v[2]] + h.weight[3] * x[v[3]];
+Vec3 holePoint(const Model& m, const Hole& h, std::span<const Vec3> x) { return pointOf(m, placeOf(h), x); }
+
+namespace {
+
+/// The tail's end has gone into the wall and is on its way through: one hole is left of its bite, and all thread before that is inside.
+bool tailIsInside(const StrandState& s) {
+  if (s.holeCount == 0 || (s.holeCount > 1 && s.holes[1].bite == s.holes[0].bite)) return false;
+  const auto role = static_cast<HoleRole>(s.holes[0].role);
+  return role == HoleRole::kExit || role == HoleRole::kPassed;
 }
 
+}  // namespace
+
 bool insideWall(const StrandState& s, double coordinate, double margin) {
+  if (tailIsInside(s) && coordinate < s.holes[0].coordinate + margin) return true;
   for (int i = 0; i + 1 < s.holeCount; ++i) {
     if (s.holes[i].bite != s.holes[i + 1].bite) continue;
     if (coordinate > s.holes[i].coordinate - margin && coordinate < s.holes[i + 1].coordinate + margin) return true;

@@ -5,6 +5,7 @@
 #include "sim/model.h"
 #include "sim/state.h"
 #include "sim/step.h"
+#include "sim/suture/tissue_point.h"
 
 namespace halsted {
 
@@ -24,6 +25,7 @@ bool insideWall(const StrandState&, double coordinate, double margin);   // [m]
 /// Adds force (on the strand: negated) of every hole to the tissue's nodal forces.
 void gatherHoleForces(const Model&, const StrandState&, std::vector<Vec3>& nodal);
 
+inline TissuePoint placeOf(const Hole& h) { return {h.tet, h.weight}; }
 Vec3 holePoint(const Model&, const Hole&, std::span<const Vec3> tissue);
 
 /// exp(mu phi) - 1 for the turn between two unit tangents, without libm: phi from its chord.  [1]

@@ -7,7 +7,6 @@
 #include "sim/model.h"
 #include "sim/state.h"
 #include "sim/suture/holes.h"
-#include "sim/tissue/projective_model.h"
 
 namespace halsted {
 namespace {
@@ -15,19 +14,6 @@ namespace {
 constexpr double kRoom = 1.25;                 // [1] stitches turn after they were tied: what they share is an estimate from then
 
 using Directions = std::array<Vec3, TiedStitch::kMostHoles>;   // [1]
-
-Vec3 pointOf(const Model& m, const TissuePoint& p, std::span<const Vec3> x) {   // [m]
-  const auto& v = m.tissue.tets[p.tet];
-  return p.weight[0] * x[v[0]] + p.weight[1] * x[v[1]] + p.weight[2] * x[v[2]] + p.weight[3] * x[v[3]];
-}
-
-double compliance(const Model& m, const TissuePoint& a, const TissuePoint& b) {   // [m/N]
-  double sum = 0.0;                            // [m/N]
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j)
-      sum += a.weight[i] * b.weight[j] * compliance(m.tissue.projective, m.tissue.tets[a.tet][i], m.tissue.tets[b.tet][j]);
-  return sum;
-}
 
 /// Where a loop under a newton of tension pulls each hole: toward the hole before and the hole after it. Returns the loop's length.  [m]
 double pullsOf(const Model& m, const TiedStitch& s, std::span<const Vec3> x, Directions& pull) {   // x [m]
@@ -64,7 +50,7 @@ double sharedGive(const Model& m, const TiedStitch& a, const TiedStitch& b, std:
   pullsOf(m, b, x, pullB);
   double sum = 0.0;                            // [m/N]
   for (int i = 0; i < a.holeCount; ++i)
-    for (int j = 0; j < b.holeCount; ++j) sum += compliance(m, a.hole[i], b.hole[j]) * pullA[i].dot(pullB[j]);
+    for (int j = 0; j < b.holeCount; ++j) sum += complianceBetween(m, a.hole[i], b.hole[j]) * pullA[i].dot(pullB[j]);
   return kRoom * magnitude(sum);
 }
 
@@ -116,7 +102,7 @@ bool tieStitch(const Model& m, State& s, std::span<const TissuePoint> holes, dou
   fresh.length = length;
   std::copy(holes.begin(), holes.end(), fresh.hole.begin());
   for (int i = 0; i < fresh.holeCount; ++i)
-    for (int j = 0; j < fresh.holeCount; ++j) fresh.give[i * TiedStitch::kMostHoles + j] = compliance(m, fresh.hole[i], fresh.hole[j]);
+    for (int j = 0; j < fresh.holeCount; ++j) fresh.give[i * TiedStitch::kMostHoles + j] = complianceBetween(m, fresh.hole[i], fresh.hole[j]);
   for (int k = 0; k < all.count; ++k) {
     const double give = sharedGive(m, fresh, all.stitch[k], s.tissue.position);   // [m/N]
     fresh.shared += give;

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/suture/tissue_point.h"
 #include "sim/types.h"
 
 namespace halsted {
@@ -15,12 +16,6 @@ namespace halsted {
 struct Model;
 struct State;
 struct StepOutput;
-
-/// A material point of the tissue.
-struct TissuePoint {
-  std::int32_t tet = -1;
-  std::array<double, 4> weight{};              // [1] barycentric
-};
 
 struct TiedStitch {
   static constexpr int kMostHoles = 4;

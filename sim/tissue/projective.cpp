@@ -2,6 +2,7 @@
 #include <Eigen/SparseCore>
 #include <stdexcept>
 
+#include "sim/lane_math.h"
 #include "sim/tissue/tissue_model.h"
 
 namespace halsted {
@@ -115,7 +116,7 @@ void buildProjective(TissueModel& m) {
   ProjectiveModel p;
   p.size = static_cast<int>(m.mass.size());
   copyFactor(systemMatrix(m), p);
-  p.wide = __builtin_cpu_supports("avx2");
+  p.wide = widestLanes() == LanePath::kWide;
   buildInverse(m, p);
   buildLanes(m, p);
   buildGather(m, p);

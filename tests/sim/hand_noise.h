@@ -1,12 +1,12 @@
 #pragma once
-/// Random but smooth motion of two hands about the wall, from its own generator: targets, turns and jaws change a few times a second.
+/// Random but smooth motion of two hands about a place, from its own generator: targets, turns and jaws change a few times a second.
 #include "tests/sim/step_rig.h"
 
 namespace halsted {
 
 class HandNoise {
  public:
-  explicit HandNoise(std::uint64_t seed) : state_(seed) {}
+  explicit HandNoise(std::uint64_t seed, const Vec3& centre = Vec3(2e-3, 12e-3, 14e-3)) : state_(seed), centre_(centre) {}   // [m] of the wall
 
   void move(StepInput& input) {
     for (int hand = 0; hand < kHands; ++hand) {
@@ -28,13 +28,14 @@ class HandNoise {
   }
   void choose(int hand) {
     left_[hand] = 150 + static_cast<int>(100.0 * uniform());
-    goal_[hand].position = Vec3(2e-3, 12e-3, 14e-3) + Vec3(15e-3 * uniform(), 12e-3 * uniform(), 10e-3 * uniform());
+    goal_[hand].position = centre_ + Vec3(15e-3 * uniform(), 12e-3 * uniform(), 10e-3 * uniform());
     const Quat q(1.5 + uniform(), uniform(), uniform(), uniform());
     goal_[hand].orientation = q.normalized();
     jaw_[hand] = uniform() > 0.0 ? 1.0 : 0.0;
   }
 
   std::uint64_t state_;
+  Vec3 centre_;                                // [m]
   std::array<Pose, kHands> goal_;
   std::array<double, kHands> jaw_{1.0, 0.0};   // [1]
   std::array<int, kHands> left_{0, 0};

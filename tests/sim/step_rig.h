@@ -2,6 +2,7 @@
 /// A standing wall of tissue, 4 mm thick, fixed at its foot, with both tools, needle and thread: the whole step without a scene.
 ///   x through the wall (faces at 0 and 4 mm), y along it, z up (foot at 0, top edge at 16 mm). Weightless unless a test sets gravity.
 #include <cmath>
+#include <stdexcept>
 
 #include "sim/step.h"
 #include "sim/suture/holes.h"
@@ -47,6 +48,18 @@ inline Pose frame(const Vec3& origin, const Vec3& x, const Vec3& y) {   // origi
 inline const Pose kAway{Vec3(-0.15, -0.15, 0.15), Quat::Identity()};   // a tool that touches nothing
 
 inline const Pose kNeedleAway{Vec3(0.15, 0.15, 0.15), Quat::Identity()};   // thread straight and free of force behind it
+
+/// The material point that lies at a place of the tissue at rest.
+inline TissuePoint tissuePointAt(const Model& m, const Vec3& p) {   // [m]
+  for (std::size_t t = 0; t < m.tissue.tets.size(); ++t) {
+    const auto& v = m.tissue.tets[t];
+    Mat3 edges;
+    for (int c = 0; c < 3; ++c) edges.col(c) = m.mesh.vertices[v[c + 1]] - m.mesh.vertices[v[0]];
+    const Vec3 w = edges.inverse() * (p - m.mesh.vertices[v[0]]);
+    if (w.minCoeff() >= -1e-9 && w.sum() <= 1.0 + 1e-9) return {static_cast<std::int32_t>(t), {1.0 - w.sum(), w.x(), w.y(), w.z()}};
+  }
+  throw std::logic_error("no tissue is there");
+}
 
 /// The right hand holds the needle as it was loaded; the left hand starts where told, jaws open.
 struct StepRig {

@@ -1,7 +1,6 @@
 #pragma once
 /// The wall with the thread already drawn through it: holes placed where a given path crosses its faces.
 #include <algorithm>
-#include <stdexcept>
 #include <vector>
 
 #include "tests/sim/step_rig.h"
@@ -64,21 +63,10 @@ struct ThreadedWall : StepRig {
       if (!(p.z() > 0.0 && p.z() < kWallZ)) continue;          // it passes above the wall
       Hole& h = state.strand.holes[state.strand.holeCount++];
       h.coordinate = coordinateAt(model.strand, node, share);
-      place(p, h);
+      const TissuePoint at = tissuePointAt(model, p);
+      h.tet = at.tet;
+      h.weight = at.weight;
     }
-  }
-  void place(const Vec3& p, Hole& h) const {
-    for (std::size_t t = 0; t < model.tissue.tets.size(); ++t) {
-      const auto& v = model.tissue.tets[t];
-      Mat3 edges;
-      for (int c = 0; c < 3; ++c) edges.col(c) = model.mesh.vertices[v[c + 1]] - model.mesh.vertices[v[0]];
-      const Vec3 w = edges.inverse() * (p - model.mesh.vertices[v[0]]);
-      if (w.minCoeff() < -1e-9 || w.sum() > 1.0 + 1e-9) continue;
-      h.tet = static_cast<std::int32_t>(t);
-      h.weight = {1.0 - w.sum(), w.x(), w.y(), w.z()};
-      return;
-    }
-    throw std::logic_error("the thread's path misses the wall");
   }
 };
 

@@ -12,17 +12,7 @@ namespace {
 struct StitchedWall : StepRig {
   explicit StitchedWall(const SimParams& p = wallParams()) : StepRig(p, kNeedleAway) { state.stitches.emplace(); }
 
-  TissuePoint at(const Vec3& p) const {        // [m]
-    for (std::size_t t = 0; t < model.tissue.tets.size(); ++t) {
-      const auto& v = model.tissue.tets[t];
-      Mat3 edges;
-      for (int c = 0; c < 3; ++c) edges.col(c) = model.mesh.vertices[v[c + 1]] - model.mesh.vertices[v[0]];
-      const Vec3 w = edges.inverse() * (p - model.mesh.vertices[v[0]]);
-      if (w.minCoeff() < -1e-9 || w.sum() > 1.0 + 1e-9) continue;
-      return {static_cast<std::int32_t>(t), {1.0 - w.sum(), w.x(), w.y(), w.z()}};
-    }
-    throw std::logic_error("not in the wall");
-  }
+  TissuePoint at(const Vec3& p) const { return tissuePointAt(model, p); }   // [m]
   /// Through both faces at two places of the wall, `apart` along it, tied `by` shorter than it lies.
   void tie(double y, double apart, double by, double z = 12.3e-3) {   // [m]
     const TissuePoint holes[] = {at({0.2e-3, y, z}), at({3.8e-3, y, z}), at({3.8e-3, y + apart, z}), at({0.2e-3, y + apart, z})};

@@ -1,0 +1,33 @@
+#pragma once
+/// A sewing script run to its end, and what every one of them must hold.
+#include <algorithm>
+#include <map>
+
+#include "tests/app/scenario_for_tests.h"
+
+namespace halsted::app {
+
+inline double hardestHole(const State& s) {    // [N]
+  double most = 0.0;                           // [N]
+  for (int i = 0; i < s.strand.holeCount; ++i) most = std::max(most, s.strand.holes[i].force.norm());
+  return most;
+}
+
+/// Completed without a failure, a fault or a tear, one beginner's knot that did not slip, the needle cut off and nothing else broken.
+/// Returns the report's metrics by their names.
+inline std::map<std::string, double> expectTied(const Lockstep& run, const std::string& name) {   // by the name's unit
+  EXPECT_EQ(run.failure(), "");
+  const RunSummary summary = summariseRun(name, "t", run.scenario().model, run.state(), run.stepTimes(), 1.0);
+  EXPECT_TRUE(summary.completed);
+  for (const ProcedureLine& line : summary.procedure) EXPECT_EQ(line.faults, 0) << line.id;
+  std::map<std::string, double> m(summary.metrics.begin(), summary.metrics.end());
+  EXPECT_EQ(m["crossings"], 1.0);
+  EXPECT_EQ(m["tears"], 0.0);
+  EXPECT_EQ(m["assisted_knots"], 1.0);
+  EXPECT_EQ(run.state().assist->slipped, 0.0);
+  EXPECT_EQ(run.state().knot.cuts, 1);
+  EXPECT_EQ(run.state().knot.breaks, 1);       // where it was cut, and nowhere else
+  return m;
+}
+
+}  // namespace halsted::app
