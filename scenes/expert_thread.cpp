@@ -22,7 +22,7 @@ bool runFreshThread(const Scene& s, std::string& failure) {
   if (!s.state.supply) { failure = "this scene has no other thread: thread.spare"; return false; }
   if (e.phase == kOpen) {
     for (int h = 0; h < kHands; ++h) {
-      e.hand[h].jaw = 1.0;
+      e.hand[h].jaw = s.state.tools[h].ratchet ? 0.0 : 1.0;      // a squeeze opens the ratchet
       e.goal[h] = above(e.hand[h].command, kRise);
     }
     if (s.inPhase > 0.3) nextPhase(s);

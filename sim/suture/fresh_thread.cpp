@@ -128,7 +128,16 @@ std::optional<TiedLoop> finishedLoop(const Model& m, const State& s) {
   return end < m.strand.length && end > loop->tip ? loop : std::nullopt;
 }
 
-int finishedStitches(const Model& m, const State& s) { return (s.stitches ? s.stitches->count : 0) + (finishedLoop(m, s) ? 1 : 0); }
+int finishedStitches(const Model& m, const State& s) {
+  const auto bowel = [&](int tet) { return m.bowels.of[m.tissue.tets[tet][0]]; };
+  int joining = 0;
+  for (int k = 0; s.stitches && k < s.stitches->count; ++k) {
+    const TiedStitch& stitch = s.stitches->stitch[k];
+    joining += m.bowels.count < 2 || bowel(stitch.hole[0].tet) != bowel(stitch.hole[stitch.holeCount - 1].tet);
+  }
+  if (!finishedLoop(m, s)) return joining;
+  return joining + (m.bowels.count < 2 || bowel(firstHole(s).tet) != bowel(lastHole(s).tet));
+}
 
 void handFreshThread(const Model& m, State& s, StepOutput& out) {
   if (!s.supply || !s.stitches) return;

@@ -26,7 +26,7 @@ struct TiedLoop {
 /// The stitch of the running strand, if it is tied and the needle cut off; whether by the beginner's knot or by throws that lock.
 std::optional<TiedLoop> finishedLoop(const Model&, const State&);
 
-/// Stitches that are tied and cut off: those kept, and the running strand's.
+/// Stitches that are tied and cut off, those kept and the running strand's; of two ends only what joins them: one half torn out is none.
 int finishedStitches(const Model&, const State&);
 
 /// Begins the step. Hands a thread, or says in an event and in `State::supply` why not.
