@@ -10,6 +10,7 @@ Lockstep::Lockstep(const Scenario& scenario)
 bool Lockstep::readHands() {
   if (scenario_.recording) return scenario_.recording->next(input_, recordedHash_);
   if (!busy_ && surgeons_.any()) return false;
+  input_.command = surgeons_.command();
   // As many haptic ticks as fit into this step of virtual time: one at the default 1 ms.
   const double end = static_cast<double>(state_.step + 1) * scenario_.model.params.dt;   // [s]
   for (; static_cast<double>(ticks_ + 1) * kHapticPeriod <= end + 1e-9; ++ticks_)

@@ -25,12 +25,14 @@ RenderScene renderScene(const Scenario& scenario) {
     scene.tools[hand] = tool.kind;
     scene.jaws[hand] = {tool.jawLength, tool.jawRadius, tool.jawAngleDegrees * std::numbers::pi / 180.0};
   }
+  scene.maxStitches = params.thread.spare;     // the last one keeps its thread
   scene.camera = scenario.scene.camera;
   scene.cutaway = scenario.scene.cutaway;
   describeBody(scenario.model, scene);
   for (const ProcedureStep& step : scenario.model.procedure) {
     scene.instructions.push_back(step.instruction);
     scene.stepIds.push_back(step.id);
+    if (step.repeatFrom >= 0 && step.enough.quantity == Quantity::kStitches) scene.stitchesWanted = static_cast<int>(step.enough.min);
   }
   return scene;
 }

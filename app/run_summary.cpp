@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "sim/whole_seam.h"
+
 namespace halsted::app {
 
 using Json = nlohmann::ordered_json;
@@ -37,6 +39,7 @@ RunSummary summariseRun(const std::string& scene, const std::string& title, cons
   }
   const double simulated = static_cast<double>(state.step) * run.dt;   // [s]
   run.metrics = summarise(state.metrics, simulated);
+  for (const auto& row : summariseStitches(model, state)) run.metrics.push_back(row);
   run.stateHash = hash(state);
   run.stepMilliseconds = steps.percentiles(1e3);
   run.realtimeFactor = wall > 0.0 ? simulated / wall : 0.0;

@@ -15,6 +15,8 @@ class Surgeons {
   /// True while a script has something left to do.
   bool advance(const State&);
   bool any() const { return !running_.empty(); }
+  /// What they have asked for aloud, for the next step's input.
+  const Command& command() const { return command_; }
   const HandTarget& target(int hand) const { return targets_[hand]; }
   const std::string& failure() const { return failure_; }        // an action that ran out of time; empty: none
 
@@ -27,6 +29,7 @@ class Surgeons {
   const Scenario& scenario_;
   std::vector<Running> running_;
   std::array<HandTarget, kHands> targets_{};
+  Command command_;
   std::string failure_;
 };
 

@@ -22,6 +22,7 @@ class Window {
   bool closed() const;                         // the user pressed Esc or closed it
   bool helpVisible() const;
   bool otherView() const;                      // a layered body cut open, or whole where the scene opens it
+  bool takeThreadAsked();                      // N was pressed since the last call: the assistant is asked for a new needled thread
   const HandTarget& target() const;            // world
 
  private:

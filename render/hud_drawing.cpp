@@ -32,13 +32,17 @@ void drawSteps(const Pen& pen, const std::vector<std::string>& ids, int current)
   }
 }
 
+/// Which stitch of how many, of a procedure that repeats.
+struct Round { int done = 0, wanted = 0; };
+
 void drawProcedure(const Pen& pen, const std::string& title, const std::vector<std::string>& ids,
-                   const std::vector<std::string>& instructions, int current) {
+                   const std::vector<std::string>& instructions, int current, const Round& round) {
   const int steps = static_cast<int>(ids.size());
   pen.panel(12, 12, 372, 74.0f + (steps ? 22.0f : 0.0f));
   pen.text(24, 18, kText, title.c_str(), 16);
   if (current >= 0 && current < steps) {
     pen.print(24, 41, kGood, "%d/%d  %s", current + 1, steps, ids[current].c_str());
+    if (round.wanted > 0) pen.print(250, 41, kText, "stitches %d of %d", round.done, round.wanted);
     if (current < static_cast<int>(instructions.size())) pen.text(24, 60, kText, instructions[current].c_str(), 13, 350);
   } else if (steps) {
     pen.text(24, 41, kGood, "Procedure completed");
@@ -103,7 +107,8 @@ void drawWarnings(const Pen& pen, float right, const HudInput& hud) {
 HudDrawing::HudDrawing(const RenderScene& scene, int width, int height)
     : width_(static_cast<float>(width)), height_(static_cast<float>(height)), scale_(static_cast<float>(height) / 720.0f),
       panels_(width, height),
-      title_(scene.title.empty() ? scene.name : scene.title), body_(scene.body), ids_(scene.stepIds), instructions_(scene.instructions), tools_(scene.tools) {
+      title_(scene.title.empty() ? scene.name : scene.title), body_(scene.body), ids_(scene.stepIds), instructions_(scene.instructions), tools_(scene.tools),
+      stitchesWanted_(scene.stitchesWanted) {
   context_ = ImGui::CreateContext();
   ImGui::SetCurrentContext(context_);
   ImGuiIO& io = ImGui::GetIO();
@@ -135,7 +140,7 @@ void HudDrawing::draw(const RenderSnapshot& snapshot, const HudInput& hud, const
   panels_.clear();
   const Pen pen{ImGui::GetBackgroundDrawList(), panels_, scale_};
   const float right = width_ / scale_, bottom = height_ / scale_;   // pixels of a 720-line picture
-  drawProcedure(pen, title_, ids_, instructions_, snapshot.procedureStep);
+  drawProcedure(pen, title_, ids_, instructions_, snapshot.procedureStep, {snapshot.stitchesDone, stitchesWanted_});
   for (int hand = 0; hand < kHands; ++hand) {
     const double force = (hud.live ? hud.haptic.force[hand] : snapshot.tools[hand].force).norm();   // [N]
     drawHand(pen, hand == kLeft ? 12.0f : right - 228.0f, bottom - 62.0f, hand == kLeft ? "Left" : "Right", tools_[hand], force,

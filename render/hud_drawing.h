@@ -24,6 +24,7 @@ class HudDrawing {
   LayeredBody body_;
   std::vector<std::string> ids_, instructions_;
   std::array<ToolKind, kHands> tools_;
+  int stitchesWanted_;
 };
 
 }  // namespace halsted::render

@@ -61,6 +61,9 @@ struct SuturePainting final : Painting {
   Tube threadTube;
   GpuMesh thread, needle;
   GpuIndices threadShadow;
+  Tube stitchTube = makeThread(kStitchPoints);
+  std::vector<GpuMesh> stitches;
+  int stitchesDrawn = 0;
   Discs holes;
   std::array<Instrument, kHands> instruments;
   std::array<std::array<GpuMesh, 2>, kHands> instrumentMeshes;
@@ -72,6 +75,7 @@ struct SuturePainting final : Painting {
   void drawInstruments(const RenderSnapshot&, const Program&) const;
   void drawShadows(const RenderSnapshot&) const;
   void layHoles(const RenderSnapshot&, const CameraView&);
+  void layStitches(const RenderSnapshot&);
   void drawBackdrop(const CameraView&, const View&);
   void markShadows(const RenderSnapshot&);
   void drawFieldShadows(const RenderSnapshot&, const View&);
@@ -88,6 +92,7 @@ SuturePainting::SuturePainting(const RenderScene& scene, const Canvas& canvas)
       threadShadow(uploadOtherIndices(threadShadowIndices(scene.threadNodes))), holes(scene.maxPunctures),
       threadRadius(scene.threadRadius), particles(scene.tissueRest.size()),
       threadNodes(static_cast<std::size_t>(std::max(scene.threadNodes, 0))) {
+  for (int k = 0; k < scene.maxStitches; ++k) stitches.push_back(uploadTube(stitchTube));
   const FieldPlace wound = placeOf(scene);
   const OperatingField drapes = makeOperatingField(wound, std::clamp(2 * canvas.height(), 256, 1536));
   ground = uploadShape(drapes.shape);
@@ -130,6 +135,14 @@ void SuturePainting::layHoles(const RenderSnapshot& snapshot, const CameraView& 
   for (int i = 0; i < count; ++i) {
     const Vec3 toEye = (camera.eye - snapshot.punctures[i]).normalized(), side = camera.up.cross(toEye).normalized();
     holes.add({snapshot.punctures[i] + kHoleLift * toEye, side, toEye.cross(side)}, kHoleRadius);
+  }
+}
+
+void SuturePainting::layStitches(const RenderSnapshot& snapshot) {
+  stitchesDrawn = std::min(snapshot.stitchCount, static_cast<int>(stitches.size()));
+  for (int k = 0; k < stitchesDrawn; ++k) {
+    updateTiedThread({snapshot.stitches.data() + k * kStitchPoints, kStitchPoints}, kStitchKnots, threadRadius, stitchTube);
+    stitches[static_cast<std::size_t>(k)].stream(stitchTube.vertices.data(), stitchTube.vertices.size() * sizeof(TubeVertex));
   }
 }
 
@@ -205,6 +218,7 @@ void SuturePainting::drawWires(const RenderSnapshot& snapshot, const View& view)
   use(threadLook, view);
   glUniform3fv(threadLook.tint, 1, kThreadTint);
   if (hasThread(snapshot)) thread.draw();
+  for (int k = 0; k < stitchesDrawn; ++k) stitches[static_cast<std::size_t>(k)].draw();
 }
 
 void SuturePainting::drawPicture(const RenderSnapshot& snapshot, const CameraView& camera) {
@@ -234,6 +248,7 @@ void SuturePainting::draw(const RenderSnapshot& snapshot, const CameraView& came
     thread.stream(threadTube.vertices.data(), threadTube.vertices.size() * sizeof(TubeVertex));
   }
   layHoles(snapshot, camera);
+  layStitches(snapshot);
   drawShadows(snapshot);
   drawPicture(snapshot, camera);
 }

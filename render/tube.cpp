@@ -69,27 +69,46 @@ std::vector<std::uint32_t> threadShadowIndices(int nodes) {
 namespace {
 
 /// Thread does not stretch: nodes much farther apart than those beside them have a cut between them, and nothing is drawn there.
-bool isGap(const std::vector<Vec3>& nodes, int segment) {
+bool isGap(std::span<const Vec3> nodes, int segment) {
   constexpr double kParted = 3.0;            // [1]
   const auto length = [&](int i) { return i >= 0 && i + 1 < static_cast<int>(nodes.size()) ? (nodes[i + 1] - nodes[i]).norm() : 0.0; };   // [m]
   const double beside = std::max(length(segment - 1), length(segment + 1));      // [m]
   return segment >= 0 && beside > 0.0 && length(segment) > kParted * beside;
 }
 
-}  // namespace
+/// Rings along a wire: where it is parted, how it is turned and how thick it is at a ring is the caller's.
+struct Wire {
+  std::span<const Vec3> nodes;                 // [m]
+  std::span<const double> twist;               // [rad]
+  std::span<const int> knots;
+  double radius = 0.0;                         // [m]
+  bool mayPart = true;
+};
 
-void updateThread(const std::vector<Vec3>& nodes, const std::vector<double>& twist, double radius, Tube& tube) {
-  const int count = static_cast<int>(nodes.size()), rings = (count - 1) * kPerSegment + 1;
+/// Two strands wound about each other, drawn as one bead.
+double thickness(const Wire& wire, double at) {   // [m] at a node, or between two
+  constexpr double kKnot = 2.3, kReach = 0.75;    // [1] of the thread's radius; nodes to either side
+  double most = 1.0;                           // [1]
+  for (int knot : wire.knots) {
+    const double off = std::abs(at - knot) / kReach;   // [1]
+    if (off < 1.0) most = std::max(most, 1.0 + (kKnot - 1.0) * std::sqrt(1.0 - off * off));
+  }
+  return most * wire.radius;
+}
+
+void layRings(const Wire& wire, Tube& tube) {
+  const int count = static_cast<int>(wire.nodes.size()), rings = (count - 1) * kPerSegment + 1;
   if (count < 2 || tube.vertices.size() != static_cast<std::size_t>(rings) * (Tube::kSides + 1)) return;
-  const auto node = [&](int i) -> const Vec3& { return nodes[std::clamp(i, 0, count - 1)]; };
-  const auto angle = [&](int i) { return i < static_cast<int>(twist.size()) ? twist[i] : 0.0; };
+  const auto node = [&](int i) -> const Vec3& { return wire.nodes[std::clamp(i, 0, count - 1)]; };
+  const auto angle = [&](int i) { return i < static_cast<int>(wire.twist.size()) ? wire.twist[i] : 0.0; };
+  const auto gap = [&](int i) { return wire.mayPart && isGap(wire.nodes, i); };
   const auto place = [&](int ring) {
     const int i = std::min(ring / kPerSegment, count - 2);
     const double t = static_cast<double>(ring) / kPerSegment - i;                 // [1]
-    if (isGap(nodes, i) && t > 0.0) return t < 0.5 ? node(i) : node(i + 1);
-    return spline(isGap(nodes, i - 1) ? node(i) : node(i - 1), node(i), node(i + 1), isGap(nodes, i + 1) ? node(i + 1) : node(i + 2), t);
+    if (gap(i) && t > 0.0) return t < 0.5 ? node(i) : node(i + 1);
+    return spline(gap(i - 1) ? node(i) : node(i - 1), node(i), node(i + 1), gap(i + 1) ? node(i + 1) : node(i + 2), t);
   };
-  RingFrame frame{place(0), Vec3::UnitX(), Vec3::UnitY(), radius, 0.0, 0.0};
+  RingFrame frame{place(0), Vec3::UnitX(), Vec3::UnitY(), wire.radius, 0.0, 0.0};
   Vec3 ahead = place(1), direction = (ahead - frame.centre).normalized();
   frame.first = anyAcross(direction);
   for (int ring = 0; ring < rings; ++ring) {
@@ -105,9 +124,19 @@ void updateThread(const std::vector<Vec3>& nodes, const std::vector<double>& twi
     const int i = std::min(ring / kPerSegment, count - 2);
     const double t = static_cast<double>(ring) / kPerSegment - i;                 // [1]
     frame.twist = (1.0 - t) * angle(i) + t * angle(i + 1);
-    frame.radius = isGap(nodes, i) && t > 0.0 ? 0.0 : radius;
+    frame.radius = gap(i) && t > 0.0 ? 0.0 : thickness(wire, i + t);
     writeRing(frame, ring, tube);
   }
+}
+
+}  // namespace
+
+void updateThread(const std::vector<Vec3>& nodes, const std::vector<double>& twist, double radius, Tube& tube) {
+  layRings({nodes, twist, {}, radius, true}, tube);
+}
+
+void updateTiedThread(std::span<const Vec3> nodes, std::span<const int> knots, double radius, Tube& tube) {
+  layRings({nodes, {}, knots, radius, false}, tube);
 }
 
 Tube makeNeedle(const NeedleShape& needle) {

@@ -1,6 +1,7 @@
 #pragma once
 /// Round wires: the thread, smooth through its nodes with the twist of its material frame, and the needle.
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sim/exchange.h"
@@ -32,6 +33,9 @@ void writeRing(const RingFrame&, int ring, Tube&);
 Tube makeThread(int nodes);
 /// Catmull-Rom through `nodes`, frames transported without spin (Bishop 1975) and turned by `twist` [rad].
 void updateThread(const std::vector<Vec3>& nodes, const std::vector<double>& twist, double radius, Tube&);   // [m]
+
+/// A thread that is whole and has a knot at some of its nodes: there it is thicker. Untwisted; the same room and indices.
+void updateTiedThread(std::span<const Vec3> nodes, std::span<const int> knots, double radius, Tube&);   // [m]
 
 /// Three sides from node to node: enough for the shadow of a thread, at a sixth of the triangles.
 std::vector<std::uint32_t> threadShadowIndices(int nodes);

@@ -34,7 +34,7 @@ constexpr NumberKey kNeedleNumbers[] = {
     {"period_s", &ExpertAction::period, 0.2, 20.0, 1.0},            {"speed_mm_s", &ExpertAction::speed, 0.1, 200.0, 1e-3},
     {"distance_mm", &ExpertAction::distance, 1.0, 60.0, 1e-3},      {"limit_s", &ExpertAction::seconds, 0.01, 600.0, 1.0},
 };
-constexpr const char* kSutureKinds[] = {"bite", "draw", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go", "hold"};
+constexpr const char* kSutureKinds[] = {"bite", "draw", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go", "fresh_thread", "hold"};
 constexpr const char* kNeedleKinds[] = {"find", "press", "insert", "twirl", "lift_thrust", "withdraw"};
 
 bool isOneOf(std::span<const char* const> kinds, const std::string& text) {
@@ -111,6 +111,31 @@ ExpertAction readAction(const toml::table& table, const std::string& origin) {
   return action;
 }
 
+std::vector<double> readPlaces(const toml::node& node, const std::string& where) {   // [deg]
+  constexpr std::size_t kMost = 60;
+  const toml::array* list = node.as_array();
+  if (!list || list->empty() || list->size() > kMost) throw InputError(where + ": must be a list of 1 to 60 angles");
+  std::vector<double> places;                  // [deg]
+  for (const toml::node& entry : *list) {
+    places.push_back(requireNumber(entry, where));
+    if (!(std::abs(places.back()) <= 180.0)) throw InputError(where + ": must be -180 to 180");
+  }
+  return places;
+}
+
+/// The actions as written, once for each place; a fresh thread is asked for between them and not after the last.
+void repeatAt(const std::vector<double>& places, const std::string& origin, std::vector<ExpertAction>& actions) {   // [deg]
+  const std::vector<ExpertAction> once = actions;
+  if (places.size() * once.size() > kMaxActions) throw InputError(origin + ": stitch_at_deg: more than 1000 actions");
+  actions.clear();
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (ExpertAction action : once) {
+      if (action.kind == "fresh_thread" && i + 1 == places.size()) continue;
+      if (action.kind == "bite") action.angleDegrees += action.bowel == 0 ? places[i] : -places[i];
+      actions.push_back(action);
+    }
+}
+
 }  // namespace
 
 bool isSutureAction(const std::string& kind) { return isOneOf(kSutureKinds, kind); }
@@ -121,9 +146,11 @@ ExpertScript parseExpert(const std::string& text, const std::string& origin) {
   ExpertScript script;
   script.text = text;
   const toml::table file = parseToml(text, origin);
+  std::vector<double> places;                  // [deg]
   for (const auto& [part, node] : file) {
     const std::string key(part.str());
     if (key == "scene") { script.scene = requireText(node, whereIs(origin, node, key)); continue; }
+    if (key == "stitch_at_deg") { places = readPlaces(node, whereIs(origin, node, key)); continue; }
     if (key != "action") throw InputError(whereIs(origin, node, key) + ": unknown key");
     const toml::array* list = node.as_array();
     if (!list) throw InputError(whereIs(origin, node, key) + ": must be [[action]] tables, is " + kindOf(node));
@@ -135,6 +162,7 @@ ExpertScript parseExpert(const std::string& text, const std::string& origin) {
   }
   if (script.scene.empty()) throw InputError(origin + ":1: scene: is missing");
   if (script.actions.empty()) throw InputError(origin + ":1: action: the script does nothing");
+  if (!places.empty()) repeatAt(places, origin, script.actions);
   return script;
 }
 

@@ -15,7 +15,7 @@ namespace halsted::scenes {
 
 struct ExpertAction {
   std::string kind;                            // a suture's: "bite", "draw", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go",
-                                               // "hold": see scenes/expert_run.cpp
+                                               // "fresh_thread", "hold": see scenes/expert_run.cpp
                                                // a needle's: "find", "press", "insert", "twirl", "lift_thrust", "withdraw", "hold"
   double angleDegrees = 0.0;                   // angle_deg [deg] round the opening, 0 at +x, counter-clockwise seen by the surgeon; of a needle
                                                // to the skin, 0: as the point's textbook says
@@ -43,6 +43,8 @@ struct ExpertAction {
   int line = 0;                                // in the file, for messages
 };
 
+/// `stitch_at_deg = [0, 20, -20]` in a file: its actions are done once for each, the number added to every angle_deg of the left (or only)
+/// bowel and taken from that of the right one, which is seen from its other side: 0 is where the actions themselves say.
 struct ExpertScript {
   std::string scene;                           // folder name of the scene it is for
   std::string text;                            // as read, kept for the session record
@@ -64,6 +66,9 @@ ExpertStatePtr beginExpert(const ExpertScript&, const Model&);
 
 /// Where both tools start, in the world; the virtual devices are placed there.
 std::array<Pose, kHands> startPoses(const Model&);
+
+/// What the surgeon has asked for aloud since this was last called: a fresh thread, mostly nothing. It goes into the next step's input.
+Command takeSpokenCommand(ExpertState&);
 
 /// True while there is something left to do. `failure` is set when an action ran out of time.
 bool advanceExpert(const ExpertScript&, const Model&, const State&, ExpertState&, std::array<HandTarget, kHands>& targets,

@@ -18,6 +18,7 @@ bool runAction(const Scene& scene, std::string& failure) {
   if (scene.action.kind == "tighten") return scene.state.metrics.seam ? runCrossed(scene, failure) : runTighten(scene, failure);
   if (scene.action.kind == "tie") return scene.state.assist ? runCrossed(scene, failure) : runTie(scene, failure);
   if (scene.action.kind == "let_go") return runLetGo(scene);
+  if (scene.action.kind == "fresh_thread") return runFreshThread(scene, failure);
   if (scene.action.kind == "hold") return scene.inPhase >= scene.action.seconds;
   return runNeedling(scene, failure);
 }
@@ -71,6 +72,12 @@ Pose parked(int hand) { return {Vec3(hand == kLeft ? -0.06 : 0.06, 0.02, 0.055),
 std::array<Pose, kHands> startPoses(const Model& m) {
   if (m.body) return needlingStart(*m.body);
   return {parked(kLeft), parked(kRight)};
+}
+
+Command takeSpokenCommand(ExpertState& e) {
+  const Command spoken = e.spoken;
+  e.spoken = {};
+  return spoken;
 }
 
 void nextPhase(const Scene& scene) {

@@ -42,6 +42,8 @@ struct ExpertState {
   std::array<Pose, kHands> goal;               // of the phase under way
   std::array<Pose, kHands> pass;               // on the way to `goal`
   KnotPlan knot;
+  Command spoken;                              // to be said
+  std::int32_t handedBefore = 0;               // threads, before this one was asked for
   NeedlePlan needle;
 };
 
@@ -68,6 +70,8 @@ bool runTie(const Scene&, std::string& failure);
 bool runCrossed(const Scene&, std::string& failure);
 /// Both hands let go and rise.
 bool runLetGo(const Scene&);
+/// Both hands let go and go aside; the assistant is asked for a new thread and loads the driver with it.
+bool runFreshThread(const Scene&, std::string& failure);
 /// Every action of a needle. Returns true when it is finished.
 bool runNeedling(const Scene&, std::string& failure);
 /// Where both tools of a needling scene start.

@@ -53,15 +53,29 @@ ProcedureStep readStep(const toml::table& table, const std::string& origin) {
     else if (part == "instruction") step.instruction = requireText(value, where);
     else if (part == "done") step.done = readCondition(value, origin, key, nullptr);
     else if (part == "fault") step.fault = readCondition(value, origin, key, &step.faultName);
+    else if (part == "repeat_until") step.enough = readCondition(value, origin, key, nullptr);
+    else if (part == "repeat_from") continue;    // names a step: looked up in the whole table
     else if (part == "limit_s") step.limit = boundedSeconds(value, where);
     else throw InputError(where + ": unknown key");
   }
   step.hasFault = table.contains("fault");
   const std::string where = whereIs(origin, table, "procedure");
+  if (table.contains("repeat_from") != table.contains("repeat_until"))
+    throw InputError(where + ": repeat_from and repeat_until go together");
   if (step.id.empty()) throw InputError(where + ": a step has no id");
   if (step.instruction.empty()) throw InputError(where + ": step '" + quoted(step.id) + "' has no instruction");
   if (!table.contains("done")) throw InputError(where + ": step '" + quoted(step.id) + "' has no done condition");
   return step;
+}
+
+/// `repeat_from` names this step or one before it.
+void findRepeat(const toml::table& table, const std::string& origin, std::vector<ProcedureStep>& steps) {
+  const toml::node* node = table.get("repeat_from");
+  if (!node) return;
+  const std::string where = whereIs(origin, *node, "procedure.repeat_from"), id = requireText(*node, where);
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (steps[i].id == id) steps.back().repeatFrom = static_cast<int>(i);
+  if (steps.back().repeatFrom < 0) throw InputError(where + ": no step up to here is called '" + quoted(id) + "'");
 }
 
 }  // namespace
@@ -78,6 +92,7 @@ std::vector<ProcedureStep> readProcedure(const toml::node& node, const std::stri
     for (std::size_t i = 0; i + 1 < steps.size(); ++i)
       if (steps[i].id == steps.back().id)
         throw InputError(whereIs(origin, entry, "procedure") + ": two steps are called '" + quoted(steps.back().id) + "'");
+    findRepeat(*entry.as_table(), origin, steps);
   }
   return steps;
 }

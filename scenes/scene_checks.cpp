@@ -44,6 +44,8 @@ void checkSuture(const SimParams& params, const std::string& origin, const Setti
                      plainNumber(kLongestThread) + " m");
   if (params.thread.assist != ThreadAssist::kNone && !params.thread.knots)
     throw InputError(placeOf(origin, origins, {"thread.assist", "thread.knots"}) + ": needs thread.knots = true");
+  if (params.thread.spare > 0 && !params.thread.knots)
+    throw InputError(placeOf(origin, origins, {"thread.spare", "thread.knots"}) + ": needs thread.knots = true: only thread that meets itself is tied");
   if (params.anvil.radius > 0.0 && params.anvil.from == params.anvil.to)
     throw InputError(placeOf(origin, origins, {"anvil.to", "anvil.from"}) + ": the anvil has no length");
 }

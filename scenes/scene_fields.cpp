@@ -65,6 +65,7 @@ void addStrand(SimParams& params, Fields& fields) {
       {"thread.assist", &thread.assist, 0, 0, ""},
       {"thread.assist_tension", &thread.assistTension, 0.05, 20, "N"},
       {"thread.assist_holding", &thread.assistHolding, 0.1, 100, "N"},
+      {"thread.spare", &thread.spare, 0, 60, ""},
       {"thread.breaking_tension", &thread.breakingTension, 0.1, 500, "N"},
       {"needle.arc_length", &needle.arcLength, 3e-3, 0.1, "m"},
       {"needle.arc_angle", &needle.arcAngle, 0.5, 5, "rad"},

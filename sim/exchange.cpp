@@ -21,6 +21,9 @@ const char* name(EventKind kind) {
     case EventKind::kThreadBroken: return "thread broken";
     case EventKind::kThreadCut: return "thread cut";
     case EventKind::kThrowTied: return "throw tied";
+    case EventKind::kStitchFinished: return "stitch finished";
+    case EventKind::kThreadHanded: return "fresh thread handed";
+    case EventKind::kThreadRefused: return "no thread handed";
     case EventKind::kThrowLost: return "throw lost";
     case EventKind::kLayerPunctured: return "layer punctured";
   }

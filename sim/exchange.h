@@ -58,7 +58,10 @@ enum class EventKind : std::uint8_t {
   kTissueGrasped, kTissueReleased, kChannelTorn, kChannelEmptied, kStepDone, kFault, kProcedureCompleted,
   kThreadBroken, kThrowTied, kThrowLost,
   kLayerPunctured,                           // index: layer from the skin; value: the surface term that fell away [N]
-  kThreadCut
+  kThreadCut,
+  kStitchFinished,                           // index: of `State::stitches`; value: its loop [m]
+  kThreadHanded,                             // index: how many are left
+  kThreadRefused                             // index: ThreadRefusal, why the assistant hands none
 };
 const char* name(EventKind);
 
@@ -91,6 +94,9 @@ struct NeedlingView {
   double pressed = 0.0;                      // [m] skin under the pressing finger
 };
 
+inline constexpr int kStitchPoints = 18;     // tail, knot, holes, knot, tail; sim/suture/stitch_course.h
+inline constexpr int kStitchKnots[2] = {2, kStitchPoints - 3};   // of these: where the two strands meet in the knot
+
 struct RenderSnapshot {
   std::uint64_t step = 0;
   double time = 0.0;                         // [s]
@@ -102,6 +108,9 @@ struct RenderSnapshot {
   std::vector<Vec3> punctures;               // [m] open puncture holes; capacity RenderScene::maxPunctures, size = punctureCount
   int punctureCount = 0;
   int procedureStep = 0;                     // index of the current step; == size when completed
+  std::vector<Vec3> stitches;                // [m] the thread of each tied stitch, kStitchPoints a stitch, ends included
+  int stitchCount = 0;                       // drawn from `stitches`
+  int stitchesDone = 0;                      // these, and one that is tied and cut off and still has its own thread
   std::uint32_t bites = 0;
   std::uint32_t faults = 0;
   double openingArea = 0.0;                  // [m^2]
@@ -175,6 +184,8 @@ struct RenderScene {
   CameraView camera;
   std::vector<std::string> instructions;     // one per procedure step
   std::vector<std::string> stepIds;
+  int stitchesWanted = 0;                    // of the whole procedure; 0: it does not repeat
+  int maxStitches = 0;
   int maxPunctures = 64;
 };
 
@@ -191,7 +202,9 @@ struct PhysicsStatus {
 
 /// A parameter changed while running; main thread -> physics thread, between two steps, recorded.
 struct Command {
-  enum class Kind : std::uint8_t { kNone, kSetGravity, kReset } kind = Kind::kNone;
+  enum class Kind : std::uint8_t { kNone, kSetGravity, kReset,
+                                   kFreshThread   // the assistant hands a needled thread; sim/suture/fresh_thread.h
+  } kind = Kind::kNone;
   double value = 0.0;                        // [1] or the unit of the kind
 };
 

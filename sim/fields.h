@@ -130,7 +130,8 @@ template <class V> void visitMembers(KnotState& object, FieldWalk<V>& walk) {
 }
 HALSTED_FIELDS(AssistKnot, placed, locked, tail, tip, apart, drawn, seated, felt, locks, slipped)
 HALSTED_FIELDS(TissuePoint, tet, weight)
-HALSTED_FIELDS(TiedStitch, holeCount, hole, force, give, shared, length, tension)
+HALSTED_FIELDS(OverSurface, triangle, weight, height)
+HALSTED_FIELDS(TiedStitch, holeCount, hole, force, give, shared, length, tension, tailLeg, tipLeg)
 /// Only those that there are.
 template <class V> void visitMembers(TiedStitches& object, FieldWalk<V>& walk) {
   auto& [stitch, count, torn] = object;
@@ -138,6 +139,7 @@ template <class V> void visitMembers(TiedStitches& object, FieldWalk<V>& walk) {
   if (count < 0 || count > TiedStitches::kMost) count = 0;   // read from damaged data
   walk.members("stitch", std::span<TiedStitch>(stitch.data(), static_cast<std::size_t>(count)));
 }
+HALSTED_FIELDS(ThreadSupply, left, handed, refusal, bitesBefore, fullThicknessBefore, tearsBefore)
 HALSTED_FIELDS(ToolState, device, proxy, jaw, closed, ratchet, force, holdsNeedle, needleCoordinate, needleInTool, needleForce, threadCoordinate,
                threadForce, strandForce, graspCount, graspTriangle, graspWeight, graspLocal, graspForce, contactCount, contactTriangle,
                contactWeight, contactNormal, contactForce, nearCount, nearTriangle)
@@ -158,7 +160,7 @@ HALSTED_FIELDS(Winding, angle, turned, length, torque, grasp)
 HALSTED_FIELDS(NeedlingState, step, skinUnit, fingerUnit, contact, outward, entry, axis, layers, depth, pressed, fingerDepth, fingerPlace,
                fingerNormal, needleTurn, friction, cut, winding, inside)
 template <class V> void visitMembers(StepWork&, V&) {}   // scratch is not part of the state's value
-HALSTED_FIELDS(State, step, random, tissue, strand, threadContacts, knot, assist, stitches, tools, procedure, metrics, needling, work)
+HALSTED_FIELDS(State, step, random, tissue, strand, threadContacts, knot, assist, stitches, supply, tools, procedure, metrics, needling, work)
 
 #undef HALSTED_FIELDS
 

@@ -1,42 +1,28 @@
+#include <algorithm>
+
 #include "sim/needling/needling_scene.h"
 #include "sim/step.h"
+#include "sim/suture/fresh_thread.h"
+#include "sim/suture/stitch_course.h"
 #include "sim/tissue/tissue.h"
+#include "sim/tools/load_driver.h"
 
 namespace halsted {
 namespace {
 
-/// The loaded needle driver: needle plane across the shaft, jaws opening along the needle's radius, held this far along the arc.
-constexpr double kHoldShare = 0.35;            // [1] of the arc, from the swage
-
-Pose needleInTool(const StrandModel& m, double coordinate) {
-  Vec3 point, tangent;
-  arcAt(m, coordinate, point, tangent);
-  const Vec3 radial = point.normalized();
-  Mat3 needleAxes;                             // columns: tool axes seen in the needle frame
-  needleAxes.col(0) = radial;
-  needleAxes.col(1) = tangent;
-  needleAxes.col(2) = Vec3::UnitZ();
-  Pose pose;
-  pose.orientation = Quat(Mat3(needleAxes.transpose())).normalized();
-  pose.position = -(pose.orientation * point);
-  return pose;
-}
-
-Pose compose(const Pose& a, const Pose& b) { return {a.apply(b.position), (a.orientation * b.orientation).normalized()}; }
-
 void beginSuture(const Model& m, State& s) {
   s.tissue = restState(m.tissue);
   if (m.join.present()) s.metrics.seam.emplace();
-  ToolState& driver = s.tools[kRight];
-  driver.jaw = 0.0;
-  driver.closed = driver.ratchet = driver.holdsNeedle = true;
-  driver.needleCoordinate = m.strand.length + kHoldShare * (tipCoordinate(m.strand) - m.strand.length);
-  driver.needleInTool = needleInTool(m.strand, driver.needleCoordinate);
-  s.strand = restState(m.strand, compose(driver.proxy, driver.needleInTool));
+  s.strand = restState(m.strand, loadDriver(m, s.tools[kRight]));
   if (m.params.thread.knots) {
     const ThreadParams& t = m.params.thread;
     s.threadContacts = restContacts(m.strand);
     s.knot.watched = true;
+    if (t.spare > 0) {
+      s.stitches.emplace();
+      s.supply.emplace();
+      s.supply->left = t.spare;
+    }
     if (t.assist == ThreadAssist::kKnot) { s.assist.emplace(); s.metrics.assistedKnots = 0; }
     s.work.knotReader = KnotReader(m.strand.nodes);
     s.work.threadContacts = prepareContactWork(m.strand, {t.friction, t.lateralModulus, t.breakingTension});
@@ -60,6 +46,14 @@ void prepareSutureSnapshot(const Model& m, RenderSnapshot& r) {
   r.thread.resize(m.strand.nodes);
   r.twist.assign(m.strand.nodes, 0.0);
   r.punctures.resize(StrandState::kMaxHoles);
+  r.stitches.resize(m.params.thread.spare > 0 ? TiedStitches::kMost * kStitchPoints : 0);
+}
+
+void fillStitches(const Model& m, const State& s, RenderSnapshot& r) {
+  r.stitchesDone = finishedStitches(m, s);
+  r.stitchCount = s.stitches ? std::min<int>(s.stitches->count, static_cast<int>(r.stitches.size()) / kStitchPoints) : 0;
+  for (int k = 0; k < r.stitchCount; ++k)
+    courseOf(m, s.stitches->stitch[k], s.tissue.position, std::span<Vec3, kStitchPoints>(r.stitches.data() + k * kStitchPoints, kStitchPoints));
 }
 
 void fillSutureSnapshot(const Model& m, const State& s, RenderSnapshot& r) {
@@ -73,6 +67,7 @@ void fillSutureSnapshot(const Model& m, const State& s, RenderSnapshot& r) {
     r.punctures[i].setZero();
     for (int c = 0; c < 4; ++c) r.punctures[i] += h.weight[c] * s.tissue.position[v[c]];
   }
+  fillStitches(m, s, r);
   r.bites = static_cast<std::uint32_t>(s.metrics.biteCount);
   r.openingArea = s.metrics.openingArea;
   r.threadTension = 0.0;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/contact/geometry.h"
+#include "sim/join_stretch.h"
 #include "sim/model.h"
 #include "sim/state.h"
 #include "sim/suture/holes.h"
@@ -54,21 +55,7 @@ EdgeColumn columnBehind(const TetMesh& mesh, const Bowels& b, int rim) {
   return c;
 }
 
-/// Which rim column is nearest to a point at rest.
-int columnNear(const Model& m, int bowel, const Vec3& rest) {
-  const auto& rim = m.bowels.rim[bowel];
-  int best = 0;
-  double least = 1e300;                        // [m^2]
-  for (std::size_t i = 0; i < rim.size(); ++i) {
-    const double d2 = (m.mesh.vertices[rim[i]] - rest).squaredNorm();
-    if (d2 < least) { least = d2; best = static_cast<int>(i); }
-  }
-  return best;
-}
-
-/// The columns from stitch to stitch on one bowel: the shorter way round from the first sewn to the last.
-struct SewnStretch { int first = 0, count = 0; };
-
+/// The shorter way round from the first sewn column to the last.
 SewnStretch stretchBetween(int from, int to, int around) {
   const int up = (to - from + around) % around, down = (from - to + around) % around;
   return up <= down ? SewnStretch{from, up + 1} : SewnStretch{to, down + 1};
@@ -116,6 +103,19 @@ SewnStretch sewnOn(const Model& m, const StrandState& s, int bowel) {
   return first < 0 ? SewnStretch{} : stretchBetween(first, last, around);
 }
 
+}  // namespace
+
+int columnNear(const Model& m, int bowel, const Vec3& rest) {
+  const auto& rim = m.bowels.rim[bowel];
+  int best = 0;
+  double least = 1e300;                        // [m^2]
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const double d2 = (m.mesh.vertices[rim[i]] - rest).squaredNorm();
+    if (d2 < least) { least = d2; best = static_cast<int>(i); }
+  }
+  return best;
+}
+
 void measureStretch(const Model& m, std::span<const Vec3> x, int bowel, const SewnStretch& sewn, JoinMetrics& join) {
   const auto& columns = m.join.columns[bowel];
   const int around = static_cast<int>(columns.size());
@@ -126,8 +126,6 @@ void measureStretch(const Model& m, std::span<const Vec3> x, int bowel, const Se
     join.inversion += turnIn(x, columns[column]) - turnIn(m.mesh.vertices, columns[column]);
   }
 }
-
-}  // namespace
 
 int bowelOf(const Model& m, const Hole& h) { return m.bowels.of[m.tissue.tets[h.tet][0]]; }
 

@@ -4,6 +4,7 @@
 
 #include "sim/contact/geometry.h"
 #include "sim/needling/needling_scene.h"
+#include "sim/suture/fresh_thread.h"
 #include "sim/suture/holes.h"
 
 namespace halsted {
@@ -143,7 +144,6 @@ void measureSeam(const SeamMetrics& seam, int lastBite, StepOutput& out) {
   set(Quantity::kInversion, seam.join.inversion);
   set(Quantity::kTailDifference, seam.join.tailDifference);
   set(Quantity::kWallShare, lastBite >= 0 ? seam.wallShare[lastBite] : 0.0);
-  set(Quantity::kFullThickness, seam.fullThickness);
 }
 
 void measureSuture(const Model& m, State& s, StepOutput& out) {
@@ -159,7 +159,8 @@ void measureSuture(const Model& m, State& s, StepOutput& out) {
   const auto set = [&](Quantity q, double value) { out.seen[static_cast<int>(q)] = value; };
   const int last = metrics.biteCount < kMaxBites ? metrics.biteCount - 1 : kMaxBites - 1;
   set(Quantity::kNeedleHeld, s.tools[0].holdsNeedle + s.tools[1].holdsNeedle);
-  set(Quantity::kBites, metrics.biteCount);
+  const ThreadSupply before = s.supply.value_or(ThreadSupply{});   // what other threads have done is counted no more
+  set(Quantity::kBites, metrics.biteCount - before.bitesBefore);
   set(Quantity::kStitchAcrossOpening, metrics.acrossOpening);
   set(Quantity::kBiteSpacing, last >= 0 ? metrics.bites[last].spacing : 0.0);
   set(Quantity::kBiteDepth, last >= 0 ? metrics.bites[last].depth : 0.0);
@@ -168,8 +169,13 @@ void measureSuture(const Model& m, State& s, StepOutput& out) {
   set(Quantity::kOpeningFraction, m.restOpening > 0.0 ? metrics.openingArea / m.restOpening : 0.0);
   set(Quantity::kRimToAnvil, rimToRod(m, s.tissue.position));
   set(Quantity::kTailsHeld, (s.tools[0].threadCoordinate >= 0.0) + (s.tools[1].threadCoordinate >= 0.0));
-  set(Quantity::kTears, metrics.tears);
-  if (metrics.seam) measureSeam(*metrics.seam, last, out);
+  set(Quantity::kTears, metrics.tears - before.tearsBefore);
+  if (metrics.seam) {
+    measureSeam(*metrics.seam, last, out);
+    set(Quantity::kFullThickness, metrics.seam->fullThickness - before.fullThicknessBefore);
+  }
+  set(Quantity::kStitches, finishedStitches(m, s));
+  set(Quantity::kThreadsLeft, before.left);
   const KnotState& knot = s.knot;
   set(Quantity::kThrows, knot.throws);
   if (s.assist) metrics.assistedKnots = s.assist->locks;

@@ -55,6 +55,7 @@ struct ThreadParams {                          // [thread]
   ThreadAssist assist = ThreadAssist::kNone;   // assist
   double assistTension = 0.5;                  // assist_tension [N] in both tails
   double assistHolding = 10.0;                 // assist_holding [N] a loop of several throws bears 15 N and more (physics.md B5)
+  int spare = 0;                               // spare [1] needled threads that the assistant can hand after the first; sim/suture/fresh_thread.h
   double breakingTension = 26.3;               // breaking_tension [N] USP knot-pull minimum, 2-0 synthetic absorbable (physics.md D)
 };
 

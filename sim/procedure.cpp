@@ -8,7 +8,7 @@ constexpr std::array<const char*, kQuantities> kNames = {
     "peak_tension",  "opening_fraction", "rim_to_anvil", "tails_held",            "peak_force",   "tears",
     "crossings",     "rim_gap",      "wall_gap",         "inversion",             "tail_difference", "wall_share", "thread_cuts", "full_thickness",
     "throws",        "knot_locks",   "wrong_throws",     "first_turns",           "knot_gap",     "knot_size",  "tool_turns",
-    "thread_breaks",
+    "thread_breaks", "stitches",     "threads_left",
     "tip_to_point",  "finger_to_point", "skin_pressed",    "entry_offset",          "needle_depth", "depth_error", "angle_error",
     "layers_punctured", "twirls",       "lifts",           "needle_grasp",          "withdrawal_speed", "needle_out"};
 static_assert(kNames.back() != nullptr, "every quantity has a name");
@@ -50,10 +50,11 @@ bool becomesLate(const ProcedureStep& step, double time, ProcedureState& state) 
   return true;
 }
 
-void enterNext(std::span<const ProcedureStep> table, double time, ProcedureState& state) {   // time [s]
+void enterNext(std::span<const ProcedureStep> table, const Observation& seen, double time, ProcedureState& state) {   // time [s]
   const ProcedureStep& left = table[state.current];
   state.finished[state.current] = time;
-  ++state.current;
+  const bool again = left.repeatFrom >= 0 && left.repeatFrom <= state.current && !holds(left.enough, seen);
+  state.current = again ? left.repeatFrom : state.current + 1;
   const bool completed = state.current == static_cast<std::int32_t>(table.size());
   // A fault that goes on under the same condition is still the same occurrence, not a new one of the next step.
   const bool goesOn = !completed && table[state.current].hasFault && left.hasFault && same(left.fault, table[state.current].fault);
@@ -93,7 +94,7 @@ ProcedureEvent advance(std::span<const ProcedureStep> table, const Observation& 
     return ProcedureEvent::kFault;
   }
   if (!done) return ProcedureEvent::kNone;
-  enterNext(table, time, state);
+  enterNext(table, seen, time, state);
   return state.current == steps ? ProcedureEvent::kCompleted : ProcedureEvent::kStepDone;
 }
 

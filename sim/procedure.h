@@ -42,6 +42,8 @@ enum class Quantity : std::uint8_t {
   kKnotSize,               // knot_size                [m] thread within the knot: a loose loop is long
   kToolTurns,              // tool_turns               [1] turns of thread about the right tool, of either sense
   kThreadBreaks,           // thread_breaks            [1] places where the thread has parted
+  kStitches,               // stitches                 [1] tied and cut off, still in the tissue
+  kThreadsLeft,            // threads_left             [1] needled threads on the table
   kTipToPoint,             // tip_to_point             [m] needle's tip from the acupoint
   kFingerToPoint,          // finger_to_point          [m] pressing finger from the acupoint
   kSkinPressed,            // skin_pressed             [m] skin pressed in by the finger
@@ -77,6 +79,8 @@ struct ProcedureStep {
   Condition fault;
   std::string faultName;
   double limit = 0.0;                                        // [s] 0 = none; exceeding it is the fault "too slow"
+  int repeatFrom = -1;                                       // index of an earlier step, or this one: back there once this is done, unless `enough`
+  Condition enough;
 };
 
 inline constexpr int kMaxProcedureSteps = 32;
@@ -86,7 +90,7 @@ struct ProcedureState {
   std::int32_t current = 0;                                  // == table size: completed
   double heldDone = 0.0, heldFault = 0.0;                    // [s]
   double stepStart = 0.0;                                    // [s] when the current step began
-  std::array<double, kMaxProcedureSteps> finished{};         // [s]
+  std::array<double, kMaxProcedureSteps> finished{};         // [s] the last time, of a step that is done again
   std::array<std::int32_t, kMaxProcedureSteps> faults{};     // counted once per occurrence
   bool inFault = false, late = false;
 };

@@ -13,6 +13,7 @@
 #include "sim/strand/thread_contacts.h"
 #include "sim/suture/assist_knot.h"
 #include "sim/suture/knot_state.h"
+#include "sim/suture/thread_supply.h"
 #include "sim/suture/tied_stitches.h"
 #include "sim/tissue/tissue_state.h"
 #include "sim/tools/tool_state.h"
@@ -30,6 +31,7 @@ struct State {
   KnotState knot;                              // nothing unless `thread.knots`
   std::optional<AssistKnot> assist;            // with `thread.assist`
   std::optional<TiedStitches> stitches;        // where stitches are tied and cut off
+  std::optional<ThreadSupply> supply;          // with `thread.spare`
   std::array<ToolState, kHands> tools;
   ProcedureState procedure;
   MetricsState metrics;

@@ -5,6 +5,7 @@
 #include "sim/needling/needling_scene.h"
 #include "sim/outcome.h"
 #include "sim/suture/assist_knot.h"
+#include "sim/suture/fresh_thread.h"
 #include "sim/suture/holes.h"
 #include "sim/suture/knot_watch.h"
 #include "sim/suture/knotting.h"
@@ -99,6 +100,7 @@ void stepProcedure(const Model& m, State& s, StepOutput& out) {
 }
 
 void stepSuture(const Model& m, const StepInput& input, State& s, StepOutput& out) {
+  if (input.command.kind == Command::Kind::kFreshThread) handFreshThread(m, s, out);
   carryForces(m, input.lumenPressure, s);
   predictTissue(m.tissue, s.work.force, s.tissue, s.work.tissue);
   const std::array<Pose, kHands> before{s.tools[0].proxy, s.tools[1].proxy};

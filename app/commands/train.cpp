@@ -64,6 +64,7 @@ void runWindow(const TrainOptions& options, const Scenario& scenario, LiveSessio
     session.links().mouseTarget.publish();
     session.links().helpVisible.store(window.helpVisible());
     session.links().otherView.store(window.otherView());
+    if (window.takeThreadAsked()) session.links().commands.push({Command::Kind::kFreshThread, 0.0});
     if (session.links().frame.acquire()) window.show(session.links().frame.front());
     if (nothingLeft(scenario, session)) break;
   }

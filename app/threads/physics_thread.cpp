@@ -36,8 +36,8 @@ struct Physics {
     links.samples.acquire();
     record.step = state.step;
     record.input.tools = links.samples.front();
-    record.input.command = {};
-    links.commands.pop(record.input.command);
+    record.input.command = surgeons.command();
+    if (record.input.command.kind == Command::Kind::kNone) links.commands.pop(record.input.command);
   }
 
   void tellHaptics() {

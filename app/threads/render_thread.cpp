@@ -33,8 +33,10 @@ struct RateMeter {
 void readEvents(Links& links, double dt, std::string& message, Nanoseconds& until) {   // [s]
   Event event;
   while (links.shownEvents.pop(event)) {
-    char text[96];
-    std::snprintf(text, sizeof text, "%.1f s: %s", static_cast<double>(event.step) * dt, name(event.kind));
+    char text[160];
+    std::snprintf(text, sizeof text, "%.1f s: %s%s%s", static_cast<double>(event.step) * dt, name(event.kind),
+                  event.kind == EventKind::kThreadRefused ? ": " : "",
+                  event.kind == EventKind::kThreadRefused ? name(static_cast<ThreadRefusal>(event.index)) : "");
     message = text;
     until = monotonicNow() + static_cast<Nanoseconds>(kMessageTime * 1e9);
   }

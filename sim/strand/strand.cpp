@@ -1,5 +1,7 @@
 #include "sim/strand/strand.h"
 
+#include <algorithm>
+
 namespace halsted {
 StrandWork prepareWork(const StrandModel& m) {
   StrandWork w;
@@ -12,13 +14,25 @@ StrandWork prepareWork(const StrandModel& m) {
 
 StrandState restState(const StrandModel& m, const Pose& needle) {
   StrandState s;
-  s.needle = needle;
-  const Vec3 swage = needle.apply(m.arcPoint.front());
-  for (int i = 0; i < m.nodes; ++i) s.position.push_back(swage - Vec3(0.0, lengthAfter(m, i), 0.0));
-  s.velocity.assign(m.nodes, Vec3::Zero());
-  s.tension.assign(m.nodes - 1, 0.0);
-  s.nearVertex.assign(m.nodes + m.sampleCoordinate.size(), 0);
+  s.position.resize(m.nodes);
+  s.velocity.resize(m.nodes);
+  s.tension.resize(m.nodes - 1);
+  s.nearVertex.resize(m.nodes + m.sampleCoordinate.size());
+  layAtRest(m, needle, s);
   return s;
+}
+
+void layAtRest(const StrandModel& m, const Pose& needle, StrandState& s) {
+  s.needle = needle;
+  s.needleVelocity = s.needleSpin = Vec3::Zero();
+  const Vec3 swage = needle.apply(m.arcPoint.front());
+  for (int i = 0; i < m.nodes; ++i) s.position[i] = swage - Vec3(0.0, lengthAfter(m, i), 0.0);
+  std::fill(s.velocity.begin(), s.velocity.end(), Vec3::Zero());
+  std::fill(s.tension.begin(), s.tension.end(), 0.0);
+  std::fill(s.nearVertex.begin(), s.nearVertex.end(), 0);
+  s.holes.fill(Hole{});
+  s.contacts.fill(StrandContact{});
+  s.holeCount = s.contactCount = 0;
 }
 
 bool addLink(StrandWork& w, const StrandLink& link) {

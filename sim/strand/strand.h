@@ -45,6 +45,8 @@ struct StrandWork {
 StrandWork prepareWork(const StrandModel&);
 /// Hanging straight down from the needle's swage, at rest.
 StrandState restState(const StrandModel&, const Pose& needle);
+/// The same with a strand that has been used: nothing is left of how it lay, in no hole and against nothing; bites begun stay counted. No heap.
+void layAtRest(const StrandModel&, const Pose& needle, StrandState&);
 
 /// False when the table is full: the caller counts it.
 bool addLink(StrandWork&, const StrandLink&);

@@ -38,6 +38,12 @@ bool leadsToOtherBowel(const Model& m, const StrandState& s, int i, int way) {
   return next >= 0 && next < s.holeCount && inOtherBowel(m, s, i, next);
 }
 
+bool leadsOverKnot(const Model& m, const State& state, int i) {
+  const StrandState& s = state.strand;
+  const bool outer = i == 0 || i + 1 == s.holeCount;
+  return outer && state.assist && state.assist->placed && inOtherBowel(m, s, 0, s.holeCount - 1);
+}
+
 double withinReach(const Model& m, const State& state, int i, double wanted) {
   const StrandState& s = state.strand;
   const AssistKnot* knot = state.assist && state.assist->placed ? &*state.assist : nullptr;

@@ -14,6 +14,9 @@ double withinReach(const Model&, const State&, int i, double wanted);   // [m]
 /// Does the thread go from hole i over to the other bowel, on the side of larger (+1) or smaller (-1) coordinates?
 bool leadsToOtherBowel(const Model&, const StrandState&, int i, int way);
 
+/// Does it go there over the beginner's knot? True of the first and the last hole of a stitch between two bowels.
+bool leadsOverKnot(const Model&, const State&, int i);
+
 /// Can no thread come through hole i from the side that `along` pulls it to? At a knot, or at the other bowel, it carries the pull instead.
 bool blocked(const Model&, const State&, int i, double along);   // [N]
 

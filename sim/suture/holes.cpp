@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kNeedleFriction = 0.10;       // [1] polished steel in wet tissue, along the arc (design)
 constexpr double kMostSlide = 1e-3;            // [m] a step: 1 m/s of thread through a hole
-// Taut thread from bowel to bowel slides through the holes at both its ends, and each of them would make up for the whole misfit. A share
-// of it a step: at a third the pair of holes still chatters, at a tenth a drawn stitch comes to rest (tuned: the laws of AssistKnot).
+// Taut thread from bowel to bowel, straight or over a knot, slides through the holes at both its ends, and each of them would make up for
+// the whole misfit. A share of it a step: at a third the pair of holes still chatters, at a tenth a drawn stitch comes to rest (tuned: the laws of AssistKnot).
 constexpr double kSharedSlide = 0.1;           // [1]
 constexpr double kWithdrawForce = 0.02;        // [N] drag on a tip drawn back along its own cut (design)
 
@@ -91,7 +91,7 @@ Vec3 settleFriction(const Model& m, State& state, int i, const Vec3& solved) {
     return solved - (along - h.slip * bound) * t;
   }
   const Vec3 point = w.point[i] - w.self[i] * (solved - h.force);
-  const bool shared = leadsToOtherBowel(m, s, i, 1) || leadsToOtherBowel(m, s, i, -1);
+  const bool shared = leadsToOtherBowel(m, s, i, 1) || leadsToOtherBowel(m, s, i, -1) || leadsOverKnot(m, state, i);
   const double slide = (shared ? kSharedSlide : 1.0) * t.dot(point - strandPoint(m.strand, s, h.coordinate));   // [m]
   if (h.slip * slide < 0.0 || blocked(m, state, i, h.slip)) { h.slip = 0; return solved; }
   const double tip = tipCoordinate(m.strand);                  // past the tip there is no strand: the way out of the hole counts

@@ -112,6 +112,13 @@ bool tieStitch(const Model& m, State& s, std::span<const TissuePoint> holes, dou
   return true;
 }
 
+void loadStitch(const Model& m, std::span<const Vec3> x, double tension, TiedStitch& s) {
+  Directions pull;
+  s.length = pullsOf(m, s, x, pull) / (1.0 + tension / m.params.thread.axialStiffness);
+  s.tension = tension;
+  for (int i = 0; i < s.holeCount; ++i) s.force[i] = tension * pull[i];
+}
+
 void gatherStitchForces(const Model& m, const State& s, std::vector<Vec3>& nodal) {
   if (!s.stitches) return;
   for (int k = 0; k < s.stitches->count; ++k) addForces(m, s.stitches->stitch[k], 1.0, nodal);

@@ -17,8 +17,15 @@ struct Model;
 struct State;
 struct StepOutput;
 
+/// A place over the surface that moves with it: for the picture of thread that lies outside the wall.
+struct OverSurface {
+  std::int32_t triangle = -1;
+  std::array<double, 3> weight{};              // [1] barycentric
+  double height = 0.0;                         // [m] along the outward normal
+};
+
 struct TiedStitch {
-  static constexpr int kMostHoles = 4;
+  static constexpr int kMostHoles = 8, kLeg = 5;
   std::int32_t holeCount = 0;
   std::array<TissuePoint, kMostHoles> hole{};  // in the order in which the thread runs through them, round the loop
   std::array<Vec3, kMostHoles> force{};        // [N] on the tissue
@@ -26,6 +33,8 @@ struct TiedStitch {
   double shared = 0.0;                         // [m/N] how far the other stitches close this loop when each pulls with a newton, at most
   double length = 0.0;                         // [m] of the loop without tension
   double tension = 0.0;                        // [N] all the way round
+  // How its two tails lay when it was cut off, from their ends over the knot to the first and the last hole: seen, not felt. Triangle -1: not known.
+  std::array<OverSurface, kLeg> tailLeg{}, tipLeg{};
 };
 
 /// Part of `State` of a scene that has them.
@@ -36,8 +45,11 @@ struct TiedStitches {
   std::int32_t torn = 0;                       // removed again
 };
 
-/// Ties a loop of `length` [m] through these holes (two to four). False when there is no room for another, or the state has none.
+/// Ties a loop of `length` [m] through these holes (two to eight). False when there is no room for another, or the state has none.
 bool tieStitch(const Model&, State&, std::span<const TissuePoint> holes, double length);
+
+/// As the tissue lies, this loop bears `tension`: its length and its pull become what they are then.  [m] [N]
+void loadStitch(const Model&, std::span<const Vec3> tissue, double tension, TiedStitch&);
 
 /// Length of the shortest loop through a stitch's holes as the tissue lies.  [m]
 double loopLength(const Model&, const TiedStitch&, std::span<const Vec3> tissue);   // [m]

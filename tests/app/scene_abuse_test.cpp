@@ -12,6 +12,7 @@ namespace halsted::app {
 namespace {
 
 const Vec3 kSeam(0.0, 2e-3, 4e-3);             // [m] about which the hands move
+constexpr int kAsk = 97;                       // steps: again and again a new thread is asked for, at bad moments mostly
 
 StepInput handsAsTheyAre(const State& s) {
   StepInput input;
@@ -46,7 +47,7 @@ int abuseSteps() {
 using Case = std::tuple<const char*, double, std::uint64_t>;     // scene, [s] of its script before, seed
 class WildHandsOnTwoEnds : public ::testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(Scene, WildHandsOnTwoEnds,
-                         ::testing::Combine(::testing::Values("stay", "connell"), ::testing::Values(0.1, 9.0), ::testing::Values(1, 3)));
+                         ::testing::Combine(::testing::Values("stay", "connell", "lembert"), ::testing::Values(0.1, 9.0), ::testing::Values(1, 3)));
 
 /// The hands move at 0.15 m/s in a box of 43 mm: its diagonal and the coupling allow 43 N. That is not asked for where Connell's thread lies
 /// in the walls: pinched between two tools it pushes them harder for single steps, which the README tells of.
@@ -64,6 +65,7 @@ TEST_P(WildHandsOnTwoEnds, StayFiniteAndNothingIsFlung) {
   const int steps = abuseSteps();
   for (int k = 0; k < steps; ++k) {
     hands.move(input);
+    input.command.kind = k % kAsk == 0 ? Command::Kind::kFreshThread : Command::Kind::kNone;
     step(scenario.model, input, s, out);
     broken += finite(s) ? 0 : 1;
     for (const ToolState& t : s.tools) most = std::max(most, t.force.norm());
@@ -74,7 +76,7 @@ TEST_P(WildHandsOnTwoEnds, StayFiniteAndNothingIsFlung) {
   std::printf("%s from %.1f s, seed %d, %d steps: at most %.2f N, %.3f mJ of %.1f g, %d holes, %d tears, %d breaks, %d steps with a number that is none\n", name, script,
               static_cast<int>(seed), steps, most, 1e3 * liveliest, 1e3 * mass, s.strand.holeCount, s.metrics.tears, s.knot.breaks, broken);
   EXPECT_EQ(broken, 0);
-  if (script < 1.0 || std::string(name) == "stay") {
+  if (script < 1.0 || std::string(name) != "connell") {
     EXPECT_LT(most, 60.0);
   }
   EXPECT_LT(liveliest, 0.5 * mass * 1.6 * 1.6);   // all of it at 1.6 m/s, ten times as fast as the hands: the law of RandomHands

@@ -144,6 +144,12 @@ TEST_P(BadScenes, AreRefusedNamingFileLineAndKey) {
 INSTANTIATE_TEST_SUITE_P(
     All, BadScenes,
     ::testing::Values(
+        BadText{"[thread]\nspare = 2", "test.toml:3: thread.spare: needs thread.knots"},
+        BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"i\"\ndone = { quantity = \"bites\", min = 1 }\nrepeat_from = \"a\"",
+                "repeat_from and repeat_until go together"},
+        BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"i\"\ndone = { quantity = \"bites\", min = 1 }\nrepeat_from = \"b\"\n"
+                "repeat_until = { quantity = \"stitches\", min = 2 }",
+                "procedure.repeat_from: no step up to here is called 'b'"},
         BadText{"[tisue]\nyoungs_modulus = 1e5", "test.toml:3: tisue.youngs_modulus: unknown table [tisue]"},
         BadText{"[tissue]\nyoung = 1e5", "test.toml:3: tissue.young: unknown key"},
         BadText{"[tool.middle]\nkind = \"forceps\"", "unknown table [tool.middle]"},

@@ -17,6 +17,7 @@ struct Seam {
   double spacing = 4e-3, depth = 5e-3;         // [m] along the edge; from the edge
   double gap = 1e-3;                           // [m] between the edges before
   bool assist = false;                         // thread.assist = "knot"
+  int spare = 0;                               // thread.spare
 };
 
 class SewnEnds {
@@ -81,6 +82,7 @@ class SewnEnds {
     p.thread.nodes = 121;
     if (!seam.assist) p.thread.channelDrag = 1e4;                // each stitch keeps its length, as if it were tied
     p.thread.knots = seam.assist;
+    p.thread.spare = seam.spare;
     p.thread.assistHolding = holding;
     p.thread.assist = seam.assist ? ThreadAssist::kKnot : ThreadAssist::kNone;
     return p;

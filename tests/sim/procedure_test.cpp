@@ -147,5 +147,31 @@ TEST(Procedure, AnEmptyTableDoesNothing) {
   EXPECT_EQ(run.once(), ProcedureEvent::kNone);
 }
 
+ProcedureStep named(const char* id, Quantity q) {
+  ProcedureStep step;
+  step.id = id;
+  step.done = {q, 1.0, 1e300, 0.0};
+  return step;
+}
+
+/// take, sew, [take, sew ...] until there are three.
+TEST(Procedure, AGroupIsDoneAgainUntilThereAreEnough) {
+  ProcedureStep last = named("sew", Quantity::kBites);
+  last.repeatFrom = 1;
+  last.enough = {Quantity::kStitches, 3.0, 1e300, 0.0};
+  Rehearsal run{{named("look", Quantity::kTears), named("take", Quantity::kNeedleHeld), last, named("end", Quantity::kThrows)}};
+  run[Quantity::kTears] = run[Quantity::kNeedleHeld] = run[Quantity::kBites] = 1;
+  EXPECT_EQ(run.countEvents(3, ProcedureEvent::kStepDone), 3);
+  EXPECT_EQ(run.state.current, 1);
+  EXPECT_EQ(run.countEvents(2, ProcedureEvent::kStepDone), 2);
+  EXPECT_EQ(run.state.current, 1);
+  EXPECT_DOUBLE_EQ(run.state.finished[2], 5 * kDt);              // the last time
+  run[Quantity::kStitches] = 3;
+  EXPECT_EQ(run.countEvents(2, ProcedureEvent::kStepDone), 2);
+  EXPECT_EQ(run.state.current, 3);
+  run[Quantity::kThrows] = 1;
+  EXPECT_EQ(run.once(), ProcedureEvent::kCompleted);
+}
+
 }  // namespace
 }  // namespace halsted

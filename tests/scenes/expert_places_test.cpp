@@ -1,0 +1,35 @@
+/// `stitch_at_deg`: one script, stitch after stitch round the ring.
+#include <gtest/gtest.h>
+
+#include "scenes/expert.h"
+#include "scenes/scene.h"
+#include "tests/scenes/wall_laws.h"
+
+namespace halsted {
+namespace {
+
+const std::string kStitch =
+    "[[action]]\ndo = \"bite\"\nbowel = 1\nangle_deg = 90\n[[action]]\ndo = \"bite\"\nbowel = 2\nangle_deg = 90\n"
+    "[[action]]\ndo = \"cut\"\n[[action]]\ndo = \"fresh_thread\"\n";
+
+TEST(StitchPlaces, RepeatTheActionsWithMirroredAnglesAndAThreadBetween) {
+  const auto script = scenes::parseExpert("scene = \"lembert\"\nstitch_at_deg = [0, 20, -35]\n" + kStitch, "test");
+  ASSERT_EQ(script.actions.size(), 11u);       // no thread is asked for after the last
+  EXPECT_EQ(script.actions[3].kind, "fresh_thread");
+  EXPECT_EQ(script.actions[10].kind, "cut");
+  const double left[] = {90.0, 110.0, 55.0}, right[] = {90.0, 70.0, 125.0};
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_DOUBLE_EQ(script.actions[4 * i].angleDegrees, left[i]);
+    EXPECT_DOUBLE_EQ(script.actions[4 * i + 1].angleDegrees, right[i]);
+  }
+}
+
+TEST(StitchPlaces, AreAnglesAndNotTooMany) {
+  const auto parse = [](const std::string& places) { scenes::parseExpert("scene = \"lembert\"\nstitch_at_deg = " + places + "\n" + kStitch, "test"); };
+  testing::expectRefused([&] { parse("[]"); }, {"test:2", "stitch_at_deg", "1 to 60"});
+  testing::expectRefused([&] { parse("[0, 200]"); }, {"test:2", "stitch_at_deg", "-180 to 180"});
+  testing::expectRefused([&] { parse("[0, \"top\"]"); }, {"test:2", "stitch_at_deg"});
+}
+
+}  // namespace
+}  // namespace halsted
