@@ -108,6 +108,7 @@ bool drawApart(const Scene& s) {
   const auto& seam = s.state.metrics.seam;     // none where a knot closes one end
   e.settled = seam && seam->join.wallGap < kWallsMeet ? e.settled + s.dt : 0.0;
   if (s.action.kind == "tie" && s.state.assist->seated > kSeated) return true;
+  if (s.action.kind == "tie") e.settled = 0.0;   // walls that other stitches have closed are not yet tied here
   e.stuck = std::fmax(0.0, e.stuck + (fastest < kTight ? s.dt : -s.dt));   // what is felt swings
   return e.settled > kHoldTight || e.stuck > kPatience;
 }

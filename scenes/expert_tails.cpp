@@ -98,7 +98,8 @@ bool runTakeTails(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   if (s.state.strand.holeCount < 2) { failure = "there is no stitch in the tissue"; return false; }
   if (e.phase == 0) {
-    if (s.action.kind == "take_tails" && opening(s.state, s.model) < kSnug) return true;
+    const bool held = s.state.tools[kLeft].threadCoordinate >= 0.0 && s.state.tools[kRight].threadCoordinate >= 0.0;
+    if (s.action.kind == "take_tails" && held && opening(s.state, s.model) < kSnug) return true;
     e.place = needlePlace(s);
     nextPhase(s);
   } else if (e.phase <= 3) {

@@ -49,6 +49,20 @@ void prepareSutureSnapshot(const Model& m, RenderSnapshot& r) {
   r.stitches.resize(m.params.thread.spare > 0 ? TiedStitches::kMost * kStitchPoints : 0);
 }
 
+/// Open holes: the running strand's, then those of the kept stitches as far as there is room.
+void fillPunctures(const Model& m, const State& s, RenderSnapshot& r) {
+  r.punctureCount = 0;
+  const auto add = [&](int tet, const std::array<double, 4>& weight) {
+    if (r.punctureCount == static_cast<int>(r.punctures.size())) return;
+    Vec3& p = r.punctures[r.punctureCount++];
+    p.setZero();
+    for (int c = 0; c < 4; ++c) p += weight[c] * s.tissue.position[m.tissue.tets[tet][c]];
+  };
+  for (int i = 0; i < s.strand.holeCount; ++i) add(s.strand.holes[i].tet, s.strand.holes[i].weight);
+  for (int k = 0; s.stitches && k < s.stitches->count; ++k)
+    for (int i = 0; i < s.stitches->stitch[k].holeCount; ++i) add(s.stitches->stitch[k].hole[i].tet, s.stitches->stitch[k].hole[i].weight);
+}
+
 void fillStitches(const Model& m, const State& s, RenderSnapshot& r) {
   r.stitchesDone = finishedStitches(m, s);
   r.stitchCount = s.stitches ? std::min<int>(s.stitches->count, static_cast<int>(r.stitches.size()) / kStitchPoints) : 0;
@@ -60,13 +74,7 @@ void fillSutureSnapshot(const Model& m, const State& s, RenderSnapshot& r) {
   std::copy(s.tissue.position.begin(), s.tissue.position.end(), r.tissue.begin());
   std::copy(s.strand.position.begin(), s.strand.position.end(), r.thread.begin());
   r.needle = s.strand.needle;
-  r.punctureCount = s.strand.holeCount;
-  for (int i = 0; i < s.strand.holeCount; ++i) {
-    const Hole& h = s.strand.holes[i];
-    const auto& v = m.tissue.tets[h.tet];
-    r.punctures[i].setZero();
-    for (int c = 0; c < 4; ++c) r.punctures[i] += h.weight[c] * s.tissue.position[v[c]];
-  }
+  fillPunctures(m, s, r);
   fillStitches(m, s, r);
   r.bites = static_cast<std::uint32_t>(s.metrics.biteCount);
   r.openingArea = s.metrics.openingArea;

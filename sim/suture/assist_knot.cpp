@@ -165,7 +165,9 @@ void run(const Model& m, State& s, AssistKnot& k, StepOutput& out) {
   const double slack = slackOf(m, s, k), step = drawing ? kRun * dt : 0.0;   // [m]
   if (k.felt[0] > -kFirm) k.tail = std::min(k.tail + step, tailLimit(s));
   if (k.felt[1] > -kFirm) k.tip = std::max(k.tip - step, tipLimit(s));
-  if (slack > kSeatSlack) k.seated = 0.0;
+  // It lies on the tissue where the loop is as short as the way straight across, or where it is tight: over a ridge it is longer.
+  const bool tight = k.felt[0] < -kFirm && k.felt[1] < -kFirm;
+  if (slack > kSeatSlack && !tight) k.seated = 0.0;
   else if (drawing) k.seated += dt;
 }
 
