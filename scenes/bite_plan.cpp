@@ -96,9 +96,6 @@ Pose needleOnCircle(const Model& m, const BitePlan& plan, double tipAngle, const
   return {plan.centre + offset, Quat(Mat3(world * local.transpose())).normalized()};
 }
 
-Pose compose(const Pose& a, const Pose& b) { return {a.apply(b.position), (a.orientation * b.orientation).normalized()}; }
-Pose inverse(const Pose& p) { return {-(p.orientation.conjugate() * p.position), p.orientation.conjugate()}; }
-
 Pose gripPose(const Model& m, const Pose& needle, double coordinate) {
   Vec3 point, tangent;
   arcAt(m.strand, coordinate, point, tangent);

@@ -37,7 +37,5 @@ Pose needleOnCircle(const Model&, const BitePlan&, double tipAngle, const Vec3& 
 
 /// Tool pose that grips the needle at a strand coordinate square to it: shaft along the needle's axis, jaws opening radially.
 Pose gripPose(const Model&, const Pose& needle, double coordinate);   // [m]
-Pose compose(const Pose& a, const Pose& b);
-Pose inverse(const Pose&);
 
 }  // namespace halsted::scenes

@@ -3,6 +3,7 @@
 #include "sim/needling/needling_scene.h"
 #include "sim/step.h"
 #include "sim/suture/fresh_thread.h"
+#include "sim/suture/holes.h"
 #include "sim/suture/stitch_course.h"
 #include "sim/tissue/tissue.h"
 #include "sim/tools/load_driver.h"
@@ -52,15 +53,12 @@ void prepareSutureSnapshot(const Model& m, RenderSnapshot& r) {
 /// Open holes: the running strand's, then those of the kept stitches as far as there is room.
 void fillPunctures(const Model& m, const State& s, RenderSnapshot& r) {
   r.punctureCount = 0;
-  const auto add = [&](int tet, const std::array<double, 4>& weight) {
-    if (r.punctureCount == static_cast<int>(r.punctures.size())) return;
-    Vec3& p = r.punctures[r.punctureCount++];
-    p.setZero();
-    for (int c = 0; c < 4; ++c) p += weight[c] * s.tissue.position[m.tissue.tets[tet][c]];
+  const auto add = [&](const TissuePoint& hole) {
+    if (r.punctureCount < static_cast<int>(r.punctures.size())) r.punctures[r.punctureCount++] = pointOf(m, hole, s.tissue.position);
   };
-  for (int i = 0; i < s.strand.holeCount; ++i) add(s.strand.holes[i].tet, s.strand.holes[i].weight);
+  for (int i = 0; i < s.strand.holeCount; ++i) add(placeOf(s.strand.holes[i]));
   for (int k = 0; s.stitches && k < s.stitches->count; ++k)
-    for (int i = 0; i < s.stitches->stitch[k].holeCount; ++i) add(s.stitches->stitch[k].hole[i].tet, s.stitches->stitch[k].hole[i].weight);
+    for (int i = 0; i < s.stitches->stitch[k].holeCount; ++i) add(s.stitches->stitch[k].hole[i]);
 }
 
 void fillStitches(const Model& m, const State& s, RenderSnapshot& r) {

@@ -28,6 +28,10 @@ struct Pose {
   Vec3 inverseApply(const Vec3& world) const { return orientation.conjugate() * (world - position); }
 };
 
+// The pose b, given in the frame of a, in the frame that a is given in.
+inline Pose compose(const Pose& a, const Pose& b) { return {a.apply(b.position), (a.orientation * b.orientation).normalized()}; }
+inline Pose inverse(const Pose& a) { return {-(a.orientation.conjugate() * a.position), a.orientation.conjugate()}; }
+
 inline constexpr int kHands = 2;             // hand 0 is the left, hand 1 the right
 inline constexpr int kLeft = 0, kRight = 1;
 

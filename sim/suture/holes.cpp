@@ -196,19 +196,22 @@ Vec3 holePoint(const Model& m, const Hole& h, std::span<const Vec3> x) { return 
 
 namespace {
 
-/// The tail's end has gone into the wall and is on its way through: one hole is left of its bite, and all thread before that is inside.
-bool tailIsInside(const StrandState& s) {
-  if (s.holeCount == 0 || (s.holeCount > 1 && s.holes[1].bite == s.holes[0].bite)) return false;
-  const auto role = static_cast<HoleRole>(s.holes[0].role);
-  return role == HoleRole::kExit || role == HoleRole::kPassed;
+/// An end of the thread is in the wall, on its way through: one hole is left of that bite, and the thread from it to its end is inside.
+bool insideWithItsEnd(const Model& m, const State& state, int i, double coordinate, double margin) {   // [m]
+  const Hole& h = state.strand.holes[i];
+  if (static_cast<HoleRole>(h.role) == HoleRole::kEntry)         // what lies toward the needle is inside
+    return coordinate > h.coordinate - margin && coordinate <= threadEnd(m, state, h.coordinate);
+  return coordinate < h.coordinate + margin && h.coordinate <= threadEnd(m, state, coordinate);
 }
 
 }  // namespace
 
-bool insideWall(const StrandState& s, double coordinate, double margin) {
-  if (tailIsInside(s) && coordinate < s.holes[0].coordinate + margin) return true;
-  for (int i = 0; i + 1 < s.holeCount; ++i) {
-    if (s.holes[i].bite != s.holes[i + 1].bite) continue;
+bool insideWall(const Model& m, const State& state, double coordinate, double margin) {
+  const StrandState& s = state.strand;
+  for (int i = 0; i < s.holeCount; ++i) {
+    const bool alone = (i == 0 || s.holes[i - 1].bite != s.holes[i].bite) && (i + 1 == s.holeCount || s.holes[i + 1].bite != s.holes[i].bite);
+    if (alone && insideWithItsEnd(m, state, i, coordinate, margin)) return true;
+    if (i + 1 == s.holeCount || s.holes[i].bite != s.holes[i + 1].bite) continue;
     if (coordinate > s.holes[i].coordinate - margin && coordinate < s.holes[i + 1].coordinate + margin) return true;
   }
   return false;

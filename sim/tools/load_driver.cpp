@@ -8,8 +8,6 @@ constexpr double kHoldShare = 0.35;            // [1] of the arc, from the swage
 
 double holdCoordinate(const StrandModel& m) { return m.length + kHoldShare * (tipCoordinate(m) - m.length); }   // [m]
 
-Pose compose(const Pose& a, const Pose& b) { return {a.apply(b.position), (a.orientation * b.orientation).normalized()}; }
-
 }  // namespace
 
 Pose loadedNeedle(const StrandModel& m) {

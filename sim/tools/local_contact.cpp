@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sim/suture/holes.h"
 #include "sim/tools/find_touch.h"
 #include "sim/tools/touch.h"
 
@@ -16,15 +17,7 @@ constexpr double kLeastGive = 1e-6;            // [m/N] of what is held in place
 /// What one hole gives when all of them are pushed alike [m/N]. Asked at the end of the step, when holes have come, gone and moved up.
 double holeGive(const Model& m, const StrandState& s, int hole) {
   double sum = 0.0;                            // [m/N]
-  const Hole& a = s.holes[hole];
-  for (int k = 0; k < s.holeCount; ++k) {
-    const Hole& b = s.holes[k];
-    double pair = 0.0;                         // [m/N]
-    for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 4; ++j)
-        pair += a.weight[i] * b.weight[j] * compliance(m.tissue.projective, m.tissue.tets[a.tet][i], m.tissue.tets[b.tet][j]);
-    sum += std::fabs(pair);
-  }
+  for (int k = 0; k < s.holeCount; ++k) sum += std::fabs(complianceBetween(m, placeOf(s.holes[hole]), placeOf(s.holes[k])));
   return std::fmax(sum, kLeastGive);
 }
 

@@ -99,5 +99,40 @@ TEST(LostAndFound, ATailDrawnOutLeavesNoHoleAndAWallAtRest) {
   EXPECT_TRUE(w.finite());
 }
 
+/// The needle cut off, the tail drawn back: the cut end goes in where the needle came out.
+TEST(LostAndFound, ACutEndDrawnBackThroughTheWallComesFree) {
+  SimParams p = wallParams();
+  p.thread.knots = true;
+  Threaded w(p);
+  w.run(300);
+  const double exit = w.state.strand.holes[1].coordinate;              // [m]
+  w.state.threadContacts.cut[threadSpot(w.model.strand, exit + 8e-3).node] = 1;
+  ToolSample& left = w.input.tools[kLeft];
+  left.pose.orientation = Quat(std::numbers::sqrt2 / 2.0, 0.0, 0.0, std::numbers::sqrt2 / 2.0);   // jaws open across the thread
+  const Vec3 grip = strandPoint(w.model.strand, w.state.strand, w.state.strand.holes[0].coordinate - 30e-3);   // [m]
+  for (int k = 200; k >= 0; --k) {
+    left.pose.position = grip + k * 1e-4 * Vec3::UnitZ();
+    w.step();
+  }
+  left.jaw = 0.0;
+  w.run(150);
+  ASSERT_GT(w.state.tools[kLeft].threadCoordinate, 0.0);
+  double tension = 0.0, force = 0.0;           // [N]
+  for (int k = 0; k < 2000 && w.state.strand.holeCount > 0; ++k) {
+    left.pose.position += 5e-5 * Vec3::UnitX();
+    w.step();
+    for (double t : w.state.strand.tension) tension = std::max(tension, t);
+    force = std::max(force, w.state.tools[kLeft].force.norm());
+  }
+  RecordProperty("largest_tension_n", std::to_string(tension));
+  RecordProperty("largest_force_n", std::to_string(force));
+  ASSERT_EQ(w.state.strand.holeCount, 0);
+  EXPECT_LT(tension, 1.0) << "a thread that runs is held back by drag alone";
+  EXPECT_LT(force, 1.0);
+  w.run(2000);
+  EXPECT_LT(w.displacement(), 2e-5);
+  EXPECT_TRUE(w.finite());
+}
+
 }  // namespace
 }  // namespace halsted

@@ -33,9 +33,6 @@ inline SimParams wallParams() {
   return p;
 }
 
-inline Pose compose(const Pose& a, const Pose& b) { return {a.apply(b.position), (a.orientation * b.orientation).normalized()}; }
-inline Pose inverse(const Pose& a) { return {-(a.orientation.conjugate() * a.position), a.orientation.conjugate()}; }
-
 /// Pose whose frame has these axes [1] as its x and y.
 inline Pose frame(const Vec3& origin, const Vec3& x, const Vec3& y) {   // origin [m]
   Mat3 axes;
