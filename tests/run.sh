@@ -5,15 +5,21 @@
 #   tests/run.sh            the release suite and bounded fuzzing (from scratch: README)
 #   tests/run.sh --sweeps   these and every sweep, bounded
 #   tests/run.sh --full     longer sanitizer and fuzz sweeps
+#   tests/run.sh --only P   one part of --sweeps: tests, fuzz, determinism, address or thread
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
 mode=suite
+parts="tests fuzz"
 case "${1:-}" in
   "") ;;
-  --sweeps) mode=sweeps ;;
-  --full) mode=full ;;
-  *) echo "usage: tests/run.sh [--sweeps | --full]" >&2; exit 2 ;;
+  --sweeps) mode=sweeps parts="tests fuzz determinism address thread" ;;
+  --full) mode=full parts="tests fuzz determinism address thread" ;;
+  --only) mode=sweeps parts=${2:-} ;;
+esac
+case "${1:-} $parts" in
+  " "* | "--sweeps "* | "--full "* | "--only tests" | "--only fuzz" | "--only determinism" | "--only address" | "--only thread") ;;
+  *) echo "usage: tests/run.sh [--sweeps | --full | --only tests|fuzz|determinism|address|thread]" >&2; exit 2 ;;
 esac
 
 jobs=$(nproc)
@@ -101,11 +107,11 @@ fuzz() {
   [ $found -eq 1 ]
 }
 
-third_party/install-packages.sh || { echo "FAIL  install-packages"; exit 3; }
-export HALSTED_SCENES=$PWD/scenes
-part build build release
-if [ $failed -eq 0 ]; then
-  start=$SECONDS
+# The release build and its suite; nothing else is worth running when they fail to build.
+build_and_test() {
+  part build build release
+  [ $failed -eq 0 ] || return 1
+  local start=$SECONDS
   if release_suite; then
     results+=("PASS  tests  ($((SECONDS - start)) s)")
   else
@@ -113,13 +119,20 @@ if [ $failed -eq 0 ]; then
     failed=1
   fi
   echo "${results[-1]}"
-  part fuzz fuzz
-  if [ "$mode" != suite ]; then
-    part determinism-clang-debug other_compiler
-    part address-sanitizer address_sanitizer
-    part thread-sanitizer thread_sanitizer
-  fi
-fi
+  return 0
+}
+
+third_party/install-packages.sh || { echo "FAIL  install-packages"; exit 3; }
+export HALSTED_SCENES=$PWD/scenes
+for name in $parts; do
+  case $name in
+    tests) build_and_test || break ;;
+    fuzz) part fuzz fuzz ;;
+    determinism) part determinism-clang-debug other_compiler ;;
+    address) part address-sanitizer address_sanitizer ;;
+    thread) part thread-sanitizer thread_sanitizer ;;
+  esac
+done
 
 echo
 echo "== Summary =="
