@@ -34,7 +34,7 @@ constexpr NumberKey kNeedleNumbers[] = {
     {"period_s", &ExpertAction::period, 0.2, 20.0, 1.0},            {"speed_mm_s", &ExpertAction::speed, 0.1, 200.0, 1e-3},
     {"distance_mm", &ExpertAction::distance, 1.0, 60.0, 1e-3},      {"limit_s", &ExpertAction::seconds, 0.01, 600.0, 1.0},
 };
-constexpr const char* kSutureKinds[] = {"bite", "draw", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go", "fresh_thread", "hold"};
+constexpr const char* kSutureKinds[] = {"bite", "draw", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go", "fresh_thread", "change_tools", "hold"};
 constexpr const char* kNeedleKinds[] = {"find", "press", "insert", "twirl", "lift_thrust", "withdraw"};
 
 bool isOneOf(std::span<const char* const> kinds, const std::string& text) {
@@ -123,17 +123,19 @@ std::vector<double> readPlaces(const toml::node& node, const std::string& where)
   return places;
 }
 
-/// The actions as written, once for each place; a fresh thread is asked for between them and not after the last.
+/// The actions of one stitch, once for each place: all that come after the instruments were changed for sewing, or all there are. A
+/// fresh thread at their end is asked for between them and not after the last.
 void repeatAt(const std::vector<double>& places, const std::string& origin, std::vector<ExpertAction>& actions) {   // [deg]
-  const std::vector<ExpertAction> once = actions;
-  if (places.size() * once.size() > kMaxActions) throw InputError(origin + ": stitch_at_deg: more than 1000 actions");
-  actions.clear();
-  for (std::size_t i = 0; i < places.size(); ++i)
+  const auto changed = std::find_if(actions.rbegin(), actions.rend(), [](const ExpertAction& a) { return a.kind == "change_tools"; });
+  const std::vector<ExpertAction> once(changed.base(), actions.end());
+  if (actions.size() + places.size() * once.size() > kMaxActions) throw InputError(origin + ": stitch_at_deg: more than 1000 actions");
+  actions.erase(changed.base(), actions.end());
+  for (double place : places)
     for (ExpertAction action : once) {
-      if (action.kind == "fresh_thread" && i + 1 == places.size()) continue;
-      if (action.kind == "bite") action.angleDegrees += action.bowel == 0 ? places[i] : -places[i];
+      if (action.kind == "bite") action.angleDegrees += action.bowel == 0 ? place : -place;
       actions.push_back(action);
     }
+  if (actions.back().kind == "fresh_thread" && once.size() > 1) actions.pop_back();
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace halsted::scenes {
 
 struct ExpertAction {
   std::string kind;                            // a suture's: "bite", "draw", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go",
-                                               // "fresh_thread", "hold": see scenes/expert_run.cpp
+                                               // "fresh_thread", "change_tools", "hold": see scenes/expert_run.cpp
                                                // a needle's: "find", "press", "insert", "twirl", "lift_thrust", "withdraw", "hold"
   double angleDegrees = 0.0;                   // angle_deg [deg] round the opening, 0 at +x, counter-clockwise seen by the surgeon; of a needle
                                                // to the skin, 0: as the point's textbook says
@@ -43,7 +43,7 @@ struct ExpertAction {
   int line = 0;                                // in the file, for messages
 };
 
-/// `stitch_at_deg = [0, 20, -20]` in a file: its actions are done once for each, the number added to every angle_deg of the left (or only)
+/// `stitch_at_deg = [0, 20, -20]` in a file: its actions (those after the last "change_tools", if there is one) are done once for each, the number added to every angle_deg of the left (or only)
 /// bowel and taken from that of the right one, which is seen from its other side: 0 is where the actions themselves say.
 struct ExpertScript {
   std::string scene;                           // folder name of the scene it is for

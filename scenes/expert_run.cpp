@@ -19,6 +19,7 @@ bool runAction(const Scene& scene, std::string& failure) {
   if (scene.action.kind == "tie") return scene.state.assist ? runCrossed(scene, failure) : runTie(scene, failure);
   if (scene.action.kind == "let_go") return runLetGo(scene);
   if (scene.action.kind == "fresh_thread") return runFreshThread(scene, failure);
+  if (scene.action.kind == "change_tools") return runChangeTools(scene, failure);
   if (scene.action.kind == "hold") return scene.inPhase >= scene.action.seconds;
   return runNeedling(scene, failure);
 }

@@ -44,6 +44,7 @@ struct ExpertState {
   KnotPlan knot;
   Command spoken;                              // to be said
   std::int32_t handedBefore = 0;               // threads, before this one was asked for
+  std::int32_t secondBefore = 0;               // whether a hand held its second instrument, before the change
   NeedlePlan needle;
 };
 
@@ -72,6 +73,8 @@ bool runCrossed(const Scene&, std::string& failure);
 bool runLetGo(const Scene&);
 /// Both hands let go and go aside; the assistant is asked for a new thread and loads the driver with it.
 bool runFreshThread(const Scene&, std::string& failure);
+/// Both hands let go and go aside; the assistant changes the instrument of every hand that has a second one.
+bool runChangeTools(const Scene&, std::string& failure);
 /// Every action of a needle. Returns true when it is finished.
 bool runNeedling(const Scene&, std::string& failure);
 /// Where both tools of a needling scene start.

@@ -46,6 +46,11 @@ void checkSuture(const SimParams& params, const std::string& origin, const Setti
     throw InputError(placeOf(origin, origins, {"thread.assist", "thread.knots"}) + ": needs thread.knots = true");
   if (params.thread.spare > 0 && !params.thread.knots)
     throw InputError(placeOf(origin, origins, {"thread.spare", "thread.knots"}) + ": needs thread.knots = true: only thread that meets itself is tied");
+  if (params.thread.onTable && params.thread.spare < 1)
+    throw InputError(placeOf(origin, origins, {"thread.on_table", "thread.spare"}) + ": needs thread.spare, the threads that lie there");
+  for (int hand = 0; hand < kHands; ++hand)
+    if (params.tools[hand].kind == ToolKind::kNone)
+      throw InputError(placeOf(origin, origins, {hand == kLeft ? "tool.left.kind" : "tool.right.kind"}) + ": a hand holds an instrument; only a second may be none");
   if (params.anvil.radius > 0.0 && params.anvil.from == params.anvil.to)
     throw InputError(placeOf(origin, origins, {"anvil.to", "anvil.from"}) + ": the anvil has no length");
 }

@@ -66,6 +66,7 @@ void addStrand(SimParams& params, Fields& fields) {
       {"thread.assist_tension", &thread.assistTension, 0.05, 20, "N"},
       {"thread.assist_holding", &thread.assistHolding, 0.1, 100, "N"},
       {"thread.spare", &thread.spare, 0, 60, ""},
+      {"thread.on_table", &thread.onTable, 0, 1, ""},
       {"thread.breaking_tension", &thread.breakingTension, 0.1, 500, "N"},
       {"needle.arc_length", &needle.arcLength, 3e-3, 0.1, "m"},
       {"needle.arc_angle", &needle.arcAngle, 0.5, 5, "rad"},
@@ -123,6 +124,8 @@ std::vector<SceneField> sceneFields(SceneFile& scene) {
   addStrand(scene.params, fields);
   addTool("tool.left", scene.params.tools[kLeft], fields);
   addTool("tool.right", scene.params.tools[kRight], fields);
+  addTool("tool.left.second", scene.params.second[kLeft], fields);
+  addTool("tool.right.second", scene.params.second[kRight], fields);
   addAnatomy(scene.params, fields);
   addNeedling(scene, fields);
   return fields;

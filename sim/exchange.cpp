@@ -24,6 +24,8 @@ const char* name(EventKind kind) {
     case EventKind::kStitchFinished: return "stitch finished";
     case EventKind::kThreadHanded: return "fresh thread handed";
     case EventKind::kThreadRefused: return "no thread handed";
+    case EventKind::kInstrumentChanged: return "instrument changed";
+    case EventKind::kInstrumentRefused: return "instrument not changed";
     case EventKind::kThrowLost: return "throw lost";
     case EventKind::kLayerPunctured: return "layer punctured";
   }
@@ -36,6 +38,7 @@ const char* name(ToolKind kind) {
     case ToolKind::kForceps: return "forceps";
     case ToolKind::kAcupunctureNeedle: return "acupuncture_needle";
     case ToolKind::kFinger: return "finger";
+    case ToolKind::kNone: return "none";
   }
   return "unknown";
 }

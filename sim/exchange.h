@@ -61,7 +61,9 @@ enum class EventKind : std::uint8_t {
   kThreadCut,
   kStitchFinished,                           // index: of `State::stitches`; value: its loop [m]
   kThreadHanded,                             // index: how many are left
-  kThreadRefused                             // index: ThreadRefusal, why the assistant hands none
+  kThreadRefused,                            // index: ThreadRefusal, why the assistant hands none
+  kInstrumentChanged,                        // index: 0 the hand's first instrument, 1 its second
+  kInstrumentRefused                         // index: InstrumentRefusal, why it is not changed
 };
 const char* name(EventKind);
 
@@ -78,6 +80,7 @@ struct ToolView {
   Pose pose;                                 // the proxy that touches the tissue, not the device
   double jaw = 1.0;                          // [1]
   Vec3 force = Vec3::Zero();                 // [N] on the hand
+  bool second = false;                       // it holds its second instrument
 };
 
 /// A needle in layered tissue. Inside, the needle's tool pose is that of the hand; the needle itself lies on the line of `tools[].pose`.
@@ -104,6 +107,7 @@ struct RenderSnapshot {
   std::vector<Vec3> thread;                  // [m] one per thread node, tail first, swage last
   std::vector<double> twist;                 // [rad] material-frame angle per thread node
   Pose needle;                               // needle frame, see NeedleShape
+  bool threadOnTable = false;                // neither thread nor needle has been handed yet
   std::array<ToolView, kHands> tools;
   std::vector<Vec3> punctures;               // [m] open puncture holes; capacity RenderScene::maxPunctures, size = punctureCount
   int punctureCount = 0;
@@ -119,7 +123,7 @@ struct RenderSnapshot {
 };
 
 /// What never changes while a scene runs; handed to the renderer once.
-enum class ToolKind : std::uint8_t { kNeedleDriver, kForceps, kAcupunctureNeedle, kFinger };
+enum class ToolKind : std::uint8_t { kNeedleDriver, kForceps, kAcupunctureNeedle, kFinger, kNone };
 const char* name(ToolKind);                  // as in scene.toml
 
 struct JawShape {                            // of one tool, as it is simulated
@@ -181,6 +185,8 @@ struct RenderScene {
   std::vector<CapsuleShape> rods;            // fixed rods (the anvil)
   std::array<ToolKind, kHands> tools{ToolKind::kForceps, ToolKind::kNeedleDriver};
   std::array<JawShape, kHands> jaws;
+  std::array<ToolKind, kHands> secondTools{ToolKind::kNone, ToolKind::kNone};
+  std::array<JawShape, kHands> secondJaws;
   CameraView camera;
   std::vector<std::string> instructions;     // one per procedure step
   std::vector<std::string> stepIds;
@@ -203,7 +209,8 @@ struct PhysicsStatus {
 /// A parameter changed while running; main thread -> physics thread, between two steps, recorded.
 struct Command {
   enum class Kind : std::uint8_t { kNone, kSetGravity, kReset,
-                                   kFreshThread   // the assistant hands a needled thread; sim/suture/fresh_thread.h
+                                   kFreshThread,  // the assistant hands a needled thread; sim/suture/fresh_thread.h
+                                   kChangeInstrument   // of hand `value`; sim/tools/instrument.h
   } kind = Kind::kNone;
   double value = 0.0;                        // [1] or the unit of the kind
 };

@@ -14,7 +14,8 @@ namespace {
 void beginSuture(const Model& m, State& s) {
   s.tissue = restState(m.tissue);
   if (m.join.present()) s.metrics.seam.emplace();
-  s.strand = restState(m.strand, loadDriver(m, s.tools[kRight]));
+  const Pose onTable{Vec3(0.0, -0.5, 0.0), Quat::Identity()};    // [m] out of everybody's reach
+  s.strand = restState(m.strand, m.params.thread.onTable ? onTable : loadDriver(m, s.tools[kRight]));
   if (m.params.thread.knots) {
     const ThreadParams& t = m.params.thread;
     s.threadContacts = restContacts(m.strand);
@@ -28,6 +29,7 @@ void beginSuture(const Model& m, State& s) {
     s.work.knotReader = KnotReader(m.strand.nodes);
     s.work.threadContacts = prepareContactWork(m.strand, {t.friction, t.lateralModulus, t.breakingTension});
   }
+  if (std::any_of(m.params.second, m.params.second + kHands, [](const ToolParams& p) { return p.kind != ToolKind::kNone; })) s.instruments.emplace();
   s.work.tissue = prepareWork(m.tissue);
   s.work.strand = prepareWork(m.strand);
   s.work.force.assign(m.mesh.vertices.size(), Vec3::Zero());
@@ -72,6 +74,7 @@ void fillSutureSnapshot(const Model& m, const State& s, RenderSnapshot& r) {
   std::copy(s.tissue.position.begin(), s.tissue.position.end(), r.tissue.begin());
   std::copy(s.strand.position.begin(), s.strand.position.end(), r.thread.begin());
   r.needle = s.strand.needle;
+  r.threadOnTable = threadOnTable(m, s);
   fillPunctures(m, s, r);
   fillStitches(m, s, r);
   r.bites = static_cast<std::uint32_t>(s.metrics.biteCount);
@@ -103,7 +106,8 @@ void prepareSnapshot(const Model& m, RenderSnapshot& r) {
 void fillSnapshot(const Model& m, const State& s, RenderSnapshot& r) {
   r.step = s.step;
   r.time = s.step * m.params.dt;
-  for (int hand = 0; hand < kHands; ++hand) r.tools[hand] = {s.tools[hand].proxy, s.tools[hand].jaw, s.tools[hand].force};
+  for (int hand = 0; hand < kHands; ++hand)
+    r.tools[hand] = {s.tools[hand].proxy, s.tools[hand].jaw, s.tools[hand].force, s.instruments && s.instruments->second[hand] == 1};
   r.procedureStep = s.procedure.current;
   r.faults = 0;
   for (std::int32_t f : s.procedure.faults) r.faults += static_cast<std::uint32_t>(f);

@@ -56,6 +56,7 @@ struct ThreadParams {                          // [thread]
   double assistTension = 0.5;                  // assist_tension [N] in both tails
   double assistHolding = 10.0;                 // assist_holding [N] a loop of several throws bears 15 N and more (physics.md B5)
   int spare = 0;                               // spare [1] needled threads that the assistant can hand after the first; sim/suture/fresh_thread.h
+  bool onTable = false;                        // on_table: the first one lies there too until it is asked for; only with `spare`
   double breakingTension = 26.3;               // breaking_tension [N] USP knot-pull minimum, 2-0 synthetic absorbable (physics.md D)
 };
 
@@ -71,8 +72,8 @@ struct NeedleParams {                          // [needle]
   double shaftFriction = 20.0;                 // shaft_friction [N/m] Coulomb friction per inserted length (design)
 };
 
-struct ToolParams {                            // [tool.left], [tool.right]
-  ToolKind kind = ToolKind::kNeedleDriver;     // kind = "needle_driver" | "forceps" | "acupuncture_needle" | "finger"
+struct ToolParams {                            // [tool.left], [tool.right]; [tool.left.second], [tool.right.second]
+  ToolKind kind = ToolKind::kNeedleDriver;     // kind = "needle_driver" | "forceps" | "acupuncture_needle" | "finger"; "none" of a second
   double jawLength = 12e-3;                    // jaw_length [m]
   double jawRadius = 1.2e-3;                   // jaw_radius [m]
   double shaftRadius = 2.2e-3;                 // shaft_radius [m]
@@ -81,8 +82,14 @@ struct ToolParams {                            // [tool.left], [tool.right]
   double captureRadius = 2.5e-3;               // capture_radius [m] what lies this near the jaws' centre line is grasped
   double gripForce = 4.0;                      // grip_force [N] above it the grasped tissue slips out
   bool cutter = false;                         // cutter: blades behind the jaws cut thread (Olsen-Hegar); only with thread.knots
-  double couplingStiffness = 1000.0;           // coupling_stiffness [N/m] from the device's nominal 1.02 N/mm (devices.md)
+  double couplingStiffness = 1000.0;           // coupling_stiffness [N/m] of the hand, whatever it holds; from the device's nominal 1.02 N/mm (devices.md)
 };
+
+inline ToolParams withoutTool() {
+  ToolParams none;
+  none.kind = ToolKind::kNone;
+  return none;
+}
 
 struct AnatomyParams {                         // [anatomy]
   std::string mesh;                            // mesh: a surface file; empty = the procedural colon
@@ -119,6 +126,7 @@ struct SimParams {
   ThreadParams thread;
   NeedleParams needle;
   ToolParams tools[kHands];
+  ToolParams second[kHands] = {withoutTool(), withoutTool()};   // what a hand may change its instrument for: sim/tools/instrument.h
   AnatomyParams anatomy;
   RodParams anvil;
   NeedlingParams needling;                     // [needling]; its keys stand in scenes/scene_fields_needling.cpp

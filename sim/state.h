@@ -16,6 +16,7 @@
 #include "sim/suture/thread_supply.h"
 #include "sim/suture/tied_stitches.h"
 #include "sim/tissue/tissue_state.h"
+#include "sim/tools/instrument_state.h"
 #include "sim/tools/tool_state.h"
 #include "sim/types.h"
 #include "sim/work.h"
@@ -33,6 +34,7 @@ struct State {
   std::optional<TiedStitches> stitches;        // where stitches are tied and cut off
   std::optional<ThreadSupply> supply;          // with `thread.spare`
   std::array<ToolState, kHands> tools;
+  std::optional<InstrumentState> instruments;  // where a second instrument is laid out
   ProcedureState procedure;
   MetricsState metrics;
   std::optional<NeedlingState> needling;       // of a body that is needled; then tissue and strand are empty

@@ -6,6 +6,7 @@
 #include "sim/suture/holes.h"
 #include "sim/suture/knotting.h"
 #include "sim/tools/cutter.h"
+#include "sim/tools/instrument.h"
 #include "sim/tools/jaw_rest.h"
 #include "sim/tools/touch.h"
 
@@ -30,7 +31,7 @@ double fromJaws(const ToolState& t, const Vec3& p) {
 
 bool graspNeedle(const Model& m, int hand, State& s) {
   ToolState& t = s.tools[hand];
-  double best = m.params.tools[hand].captureRadius;      // [m]
+  double best = toolOf(m, s, hand).captureRadius;      // [m]
   const double arc = tipCoordinate(m.strand) - m.strand.length;
   for (int i = 0; i <= kScan; ++i) {
     const double coordinate = m.strand.length + 1e-9 + arc * i / kScan;
@@ -48,7 +49,7 @@ bool graspNeedle(const Model& m, int hand, State& s) {
 
 bool graspThread(const Model& m, int hand, State& s) {
   ToolState& t = s.tools[hand];
-  double best = m.params.tools[hand].captureRadius;      // [m]
+  double best = toolOf(m, s, hand).captureRadius;      // [m]
   for (int i = 0; i + 1 < m.strand.nodes; ++i) {
     for (int half = 0; half < 2; ++half) {
       const double coordinate = coordinateAt(m.strand, i, 0.5 * half);
@@ -63,7 +64,7 @@ bool graspThread(const Model& m, int hand, State& s) {
 /// Holds the surface points nearest to the jaws' middle line, at most one a triangle vertex neighbourhood, nearest first.
 bool graspTissue(const Model& m, int hand, State& s) {
   ToolState& t = s.tools[hand];
-  const double reach = m.params.tools[hand].captureRadius;
+  const double reach = toolOf(m, s, hand).captureRadius;
   const Vec3 a = t.proxy.position, b = t.proxy.apply(Vec3(0.0, 0.0, kJawDepth));
   for (std::size_t f = 0; f < m.surface.triangles.size() && t.graspCount < ToolState::kMaxGrasp; ++f) {
     const auto& v = m.surface.triangles[f];
@@ -204,7 +205,7 @@ void settleGrasp(const Model& m, int hand, const GraspLinks& links, State& s, St
 void slipGrasp(const Model& m, int hand, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];
   if (t.graspCount == 0) return;
-  const double limit = m.params.tools[hand].gripForce / t.graspCount, reach = m.params.tools[hand].captureRadius;   // [N] [m]
+  const double limit = toolOf(m, s, hand).gripForce / t.graspCount, reach = toolOf(m, s, hand).captureRadius;   // [N] [m]
   const int before = t.graspCount;
   const double held = touchForce(t).norm();    // [N]
   for (int g = t.graspCount - 1; g >= 0; --g) {

@@ -1,6 +1,7 @@
 #include "sim/tools/tool_shape.h"
 
 #include "sim/portable_math.h"
+#include "sim/tools/instrument.h"
 
 namespace halsted {
 
@@ -18,7 +19,7 @@ std::array<CapsuleShape, kSolidsPerTool> toolCapsules(const ToolParams& t, doubl
 std::array<CapsuleShape, kSolids> worldSolids(const Model& m, const State& s) {
   std::array<CapsuleShape, kSolids> all;
   for (int hand = 0; hand < kHands; ++hand) {
-    const auto parts = toolCapsules(m.params.tools[hand], s.tools[hand].jaw);
+    const auto parts = toolCapsules(toolOf(m, s, hand), s.tools[hand].jaw);
     for (int k = 0; k < kSolidsPerTool; ++k) all[hand * kSolidsPerTool + k] = placed(parts[k], s.tools[hand].proxy);
   }
   const RodParams& rod = m.params.anvil;
