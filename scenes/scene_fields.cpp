@@ -108,6 +108,8 @@ void addAnatomy(SimParams& params, Fields& fields) {
       {"anatomy.along", &anatomy.along, 3, 256, ""},
       {"anatomy.layout", &anatomy.layout, 0, 40, "characters"},
       {"anatomy.gap", &anatomy.gap, 1e-3, 0.1, "m"},
+      {"anatomy.cut_height", &anatomy.cutHeight, 2e-3, 0.1, "m"},
+      {"anatomy.cut_band", &anatomy.cutBand, 1e-3, 20e-3, "m"},
       {"anvil.from", &params.anvil.from, -1, 1, "m"},
       {"anvil.to", &params.anvil.to, -1, 1, "m"},
       {"anvil.radius", &params.anvil.radius, 0, 0.05, "m"},

@@ -174,6 +174,7 @@ struct RenderScene {
   int threadNodes = 0;
   double threadRadius = 0.0;                 // [m]
   NeedleShape needle;
+  bool perineum = false;                     // skin round a prolapse instead of an open wound; bowel 0 is then inside out
   LayeredBody body;                          // of a scene that needles a body; triangles of hidden layers are in `surface` too
   StraightNeedle straightNeedle;
   double fingerRadius = 0.0;                 // [m] 0: no pressing finger

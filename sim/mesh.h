@@ -22,6 +22,7 @@ struct TetMesh {
   std::vector<Eigen::Vector2d> uv;                 // per vertex: (angle / 2 pi, length along the tube [m])
   std::vector<int> fixed;                          // vertices held in place (far end), ascending
   std::vector<int> rim;                            // vertices of the open rim's outer edge, in order around the opening
+  std::vector<int> bowel;                          // per vertex: which bowel it belongs to; empty: each connected piece is one
 };
 
 double volume(const TetMesh&, int tet);            // [m^3] of the rest shape
