@@ -56,6 +56,8 @@ const char* toolText(ToolKind tool) {
     case ToolKind::kForceps: return "forceps";
     case ToolKind::kAcupunctureNeedle: return "needle";
     case ToolKind::kFinger: return "finger";
+    case ToolKind::kElectrocautery: return "electrocautery";
+    case ToolKind::kAllis: return "Allis clamp";
   }
   return "";
 }

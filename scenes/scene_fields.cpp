@@ -94,6 +94,17 @@ void addTool(const std::string& table, ToolParams& tool, Fields& fields) {
   });
 }
 
+void addCautery(CauteryParams& cautery, Fields& fields) {
+  fields.insert(fields.end(), {
+      {"cautery.power", &cautery.power, 0, 400, "W"},
+      {"cautery.cutting_energy", &cautery.cuttingEnergy, 1e6, 1e11, "J/m^3"},
+      {"cautery.tip_radius", &cautery.tipRadius, 0.1e-3, 5e-3, "m"},
+      {"cautery.reach", &cautery.reach, 0.05e-3, 10e-3, "m"},
+      {"cautery.take_away", &cautery.takeAway, 1e-3, 1, "m"},
+      {"cautery.crumb", &cautery.crumb, 0, 1e-6, "m^3"},
+  });
+}
+
 void addAnatomy(SimParams& params, Fields& fields) {
   AnatomyParams& anatomy = params.anatomy;
   fields.insert(fields.end(), {
@@ -125,6 +136,7 @@ std::vector<SceneField> sceneFields(SceneFile& scene) {
   addStrand(scene.params, fields);
   addTool("tool.left", scene.params.tools[kLeft], fields);
   addTool("tool.right", scene.params.tools[kRight], fields);
+  addCautery(scene.params.cautery, fields);
   addAnatomy(scene.params, fields);
   addNeedling(scene, fields);
   return fields;

@@ -26,6 +26,9 @@ const char* name(EventKind kind) {
     case EventKind::kThreadRefused: return "no thread handed";
     case EventKind::kThrowLost: return "throw lost";
     case EventKind::kLayerPunctured: return "layer punctured";
+    case EventKind::kTissueCut: return "tissue cut";
+    case EventKind::kPieceFree: return "piece free";
+    case EventKind::kPieceTaken: return "piece taken away";
   }
   return "unknown event";
 }
@@ -36,6 +39,8 @@ const char* name(ToolKind kind) {
     case ToolKind::kForceps: return "forceps";
     case ToolKind::kAcupunctureNeedle: return "acupuncture_needle";
     case ToolKind::kFinger: return "finger";
+    case ToolKind::kElectrocautery: return "electrocautery";
+    case ToolKind::kAllis: return "allis";
   }
   return "unknown";
 }

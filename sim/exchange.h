@@ -61,7 +61,10 @@ enum class EventKind : std::uint8_t {
   kThreadCut,
   kStitchFinished,                           // index: of `State::stitches`; value: its loop [m]
   kThreadHanded,                             // index: how many are left
-  kThreadRefused                             // index: ThreadRefusal, why the assistant hands none
+  kThreadRefused,                            // index: ThreadRefusal, why the assistant hands none
+  kTissueCut,                                // index: tet that heat has taken away; value: its heat [J]
+  kPieceFree,                                // index: how many pieces hang on nothing now; value: their volume [m^3]
+  kPieceTaken                                // index: how many have been carried away; value: its volume [m^3]
 };
 const char* name(EventKind);
 
@@ -116,10 +119,15 @@ struct RenderSnapshot {
   double openingArea = 0.0;                  // [m^2]
   double threadTension = 0.0;                // [N] largest along the thread
   NeedlingView needling;                     // of a layered body
+  // Where tissue can be cut, else empty. Per triangle of RenderScene::surface:
+  std::vector<std::uint8_t> exposed;         // 1 = bare; 0 = inside the tissue, or gone
+  std::vector<double> charred;               // [1] heat of the tet it belongs to, over what takes that away
 };
 
 /// What never changes while a scene runs; handed to the renderer once.
-enum class ToolKind : std::uint8_t { kNeedleDriver, kForceps, kAcupunctureNeedle, kFinger };
+enum class ToolKind : std::uint8_t { kNeedleDriver, kForceps, kAcupunctureNeedle, kFinger,
+                                     kElectrocautery,   // a pen with a blade; closing the hand switches the current on
+                                     kAllis };          // a clamp that grasps as forceps do
 const char* name(ToolKind);                  // as in scene.toml
 
 struct JawShape {                            // of one tool, as it is simulated

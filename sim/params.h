@@ -72,7 +72,7 @@ struct NeedleParams {                          // [needle]
 };
 
 struct ToolParams {                            // [tool.left], [tool.right]
-  ToolKind kind = ToolKind::kNeedleDriver;     // kind = "needle_driver" | "forceps" | "acupuncture_needle" | "finger"
+  ToolKind kind = ToolKind::kNeedleDriver;     // kind = "needle_driver" | "forceps" | "acupuncture_needle" | "finger" | "electrocautery" | "allis"
   double jawLength = 12e-3;                    // jaw_length [m]
   double jawRadius = 1.2e-3;                   // jaw_radius [m]
   double shaftRadius = 2.2e-3;                 // shaft_radius [m]
@@ -82,6 +82,17 @@ struct ToolParams {                            // [tool.left], [tool.right]
   double gripForce = 4.0;                      // grip_force [N] above it the grasped tissue slips out
   bool cutter = false;                         // cutter: blades behind the jaws cut thread (Olsen-Hegar); only with thread.knots
   double couplingStiffness = 1000.0;           // coupling_stiffness [N/m] from the device's nominal 1.02 N/mm (devices.md)
+};
+
+/// An electrocautery pen (kind = "electrocautery"); sim/cutting/burn.h.
+struct CauteryParams {                         // [cautery]
+  double power = 30.0;                         // power [W] of pure cut; 20 to 60 W are usual (design)
+  // cutting_energy [J/m^3] to take tissue away as steam, the tissue counted as water: 1000 kg/m^3 (4.18 kJ/(kg K) 63 K + 2257 kJ/kg)
+  double cuttingEnergy = 2.52e9;
+  double tipRadius = 0.6e-3;                   // tip_radius [m] of the electrode, and of the pen's blade
+  double reach = 0.4e-3;                       // reach [m] from the electrode's surface: how deep its heat goes at once (design)
+  double takeAway = 30e-3;                     // take_away [m] a free piece that has been carried this far is taken out of the scene
+  double crumb = 8e-9;                         // crumb [m^3] a free piece no larger is sucked away with the smoke (design)
 };
 
 struct AnatomyParams {                         // [anatomy]
@@ -122,6 +133,7 @@ struct SimParams {
   ThreadParams thread;
   NeedleParams needle;
   ToolParams tools[kHands];
+  CauteryParams cautery;
   AnatomyParams anatomy;
   RodParams anvil;
   NeedlingParams needling;                     // [needling]; its keys stand in scenes/scene_fields_needling.cpp

@@ -47,6 +47,7 @@ bool inTheWay(const Model& m, const State& s) {
   const Vec3 swage = driver.proxy.apply(loadedNeedle(m.strand).apply(m.strand.arcPoint.front()));
   const Vec3 end = swage - Vec3(0.0, m.strand.length, 0.0), down = end - swage;
   for (int v : m.surface.vertices) {
+    if (s.cut && !s.cut->bare[v]) continue;
     const Vec3& x = s.tissue.position[v];
     if ((x - swage - closestOnSegment(x, swage, end) * down).squaredNorm() < kFree * kFree) return true;
     if ((x - driver.proxy.position).norm() < 2.0 * m.strand.needle.radius + kFree) return true;

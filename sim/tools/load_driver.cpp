@@ -10,6 +10,14 @@ double holdCoordinate(const StrandModel& m) { return m.length + kHoldShare * (ti
 
 }  // namespace
 
+bool threadOnTable(const Model& m) {
+  for (const ToolParams& t : m.params.tools)
+    if (t.kind == ToolKind::kElectrocautery) return true;
+  return false;
+}
+
+Pose needleOnTable() { return {Vec3(0.0, -0.2, -0.6), Quat::Identity()}; }
+
 Pose loadedNeedle(const StrandModel& m) {
   Vec3 point, tangent;
   arcAt(m, holdCoordinate(m), point, tangent);

@@ -6,6 +6,10 @@
 
 namespace halsted {
 
+/// No hand holds a driver: the needled thread lies on the instrument table, out of the field, and does not move.
+bool threadOnTable(const Model&);
+Pose needleOnTable();
+
 /// The needle's frame in the driver's.
 Pose loadedNeedle(const StrandModel&);
 
