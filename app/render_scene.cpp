@@ -21,6 +21,7 @@ RenderScene renderScene(const Scenario& scenario) {
   scene.surface = mesh.surface;
   scene.triangleLayer = mesh.triangleLayer;
   scene.surfaceUv = mesh.uv;
+  scene.perineum = params.anatomy.layout == "prolapse";
   scene.threadNodes = threadNodes(scenario.model);
   scene.threadRadius = params.thread.radius;
   scene.needle = {params.needle.arcLength / params.needle.arcAngle, params.needle.arcAngle, params.needle.wireRadius};

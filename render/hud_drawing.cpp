@@ -57,6 +57,8 @@ const char* toolText(ToolKind tool) {
     case ToolKind::kAcupunctureNeedle: return "needle";
     case ToolKind::kFinger: return "finger";
     case ToolKind::kNone: return "empty";
+    case ToolKind::kElectrocautery: return "electrocautery";
+    case ToolKind::kAllis: return "Allis clamp";
   }
   return "";
 }

@@ -19,6 +19,7 @@ namespace halsted::render {
 namespace {
 
 constexpr std::size_t kTriangleBudget = 16000;           // tuned: twice as many cost 3 ms a frame and show no finer outline
+constexpr std::size_t kPerineumBudget = 24000;            // one subdivision of a prolapse, which fills the picture
 constexpr int kShadowSize = 1024;                        // texels
 constexpr double kHoleRadius = 0.62e-3;                  // [m] a 0.66 mm needle leaves a hole with a bruised edge
 constexpr double kHoleLift = 0.45e-3;                    // [m] toward the eye, so that the drawn wall does not hide it
@@ -30,7 +31,8 @@ FieldPlace placeOf(const RenderScene& scene) {
   Vec3 low = scene.tissueRest.front(), high = low;       // [m]
   for (const Vec3& p : scene.tissueRest) { low = low.cwiseMin(p); high = high.cwiseMax(p); }
   place.centre = 0.5 * (low + high);
-  place.centre.z() = low.z() + 0.2 * (high.z() - low.z());
+  place.perineum = scene.perineum;
+  place.centre.z() = low.z() + (scene.perineum ? 0.0 : 0.2 * (high.z() - low.z()));
   place.radius = std::max(0.25 * (high.x() - low.x() + high.y() - low.y()), 5e-3);
   return place;
 }
@@ -102,8 +104,8 @@ struct SuturePainting final : Painting {
 };
 
 SuturePainting::SuturePainting(const RenderScene& scene, const Canvas& canvas)
-    : picture(canvas), backdrop(canvas.width(), canvas.height()), casters(scene.surface), rodsAsLines(scene.rods),
-      needleReach(scene.needle.radius + scene.needle.wireRadius), tissue(scene, kTriangleBudget), threadTube(makeThread(scene.threadNodes)),
+    : picture(canvas), backdrop(canvas.width(), canvas.height()), casters(scene.surface.begin(), scene.surface.begin() + static_cast<std::ptrdiff_t>(boundaryTriangles(scene))), rodsAsLines(scene.rods),
+      needleReach(scene.needle.radius + scene.needle.wireRadius), tissue(scene, scene.perineum ? kPerineumBudget : kTriangleBudget), threadTube(makeThread(scene.threadNodes)),
       thread(uploadTube(threadTube)), needle(uploadTube(makeNeedle(scene.needle))),
       threadShadow(uploadOtherIndices(threadShadowIndices(scene.threadNodes))), holes(scene.maxPunctures),
       threadRadius(scene.threadRadius), particles(scene.tissueRest.size()),
@@ -257,7 +259,7 @@ void SuturePainting::drawPicture(const RenderSnapshot& snapshot, const CameraVie
 }
 
 void SuturePainting::draw(const RenderSnapshot& snapshot, const CameraView& camera, bool) {
-  if (hasTissue(snapshot)) tissue.update(snapshot.tissue);
+  if (hasTissue(snapshot)) tissue.update(snapshot);
   if (hasThread(snapshot)) {
     updateThread(snapshot.thread, snapshot.twist, threadRadius, threadTube);
     thread.stream(threadTube.vertices.data(), threadTube.vertices.size() * sizeof(TubeVertex));

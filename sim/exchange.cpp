@@ -28,6 +28,9 @@ const char* name(EventKind kind) {
     case EventKind::kInstrumentRefused: return "instrument not changed";
     case EventKind::kThrowLost: return "throw lost";
     case EventKind::kLayerPunctured: return "layer punctured";
+    case EventKind::kTissueCut: return "tissue cut";
+    case EventKind::kPieceFree: return "piece free";
+    case EventKind::kPieceTaken: return "piece taken away";
   }
   return "unknown event";
 }
@@ -39,6 +42,8 @@ const char* name(ToolKind kind) {
     case ToolKind::kAcupunctureNeedle: return "acupuncture_needle";
     case ToolKind::kFinger: return "finger";
     case ToolKind::kNone: return "none";
+    case ToolKind::kElectrocautery: return "electrocautery";
+    case ToolKind::kAllis: return "allis";
   }
   return "unknown";
 }

@@ -63,7 +63,10 @@ enum class EventKind : std::uint8_t {
   kThreadHanded,                             // index: how many are left
   kThreadRefused,                            // index: ThreadRefusal, why the assistant hands none
   kInstrumentChanged,                        // index: 0 the hand's first instrument, 1 its second
-  kInstrumentRefused                         // index: InstrumentRefusal, why it is not changed
+  kInstrumentRefused,                        // index: InstrumentRefusal, why it is not changed
+  kTissueCut,                                // index: tet that heat has taken away; value: its heat [J]
+  kPieceFree,                                // index: how many pieces hang on nothing now; value: their volume [m^3]
+  kPieceTaken                                // index: how many have been carried away; value: its volume [m^3]
 };
 const char* name(EventKind);
 
@@ -120,10 +123,16 @@ struct RenderSnapshot {
   double openingArea = 0.0;                  // [m^2]
   double threadTension = 0.0;                // [N] largest along the thread
   NeedlingView needling;                     // of a layered body
+  // Where tissue can be cut, else empty. Per triangle of RenderScene::surface:
+  std::vector<std::uint8_t> exposed;         // 1 = bare; 0 = inside the tissue, or gone
+  std::vector<double> charred;               // [1] heat of the tet it belongs to, over what takes that away
 };
 
 /// What never changes while a scene runs; handed to the renderer once.
-enum class ToolKind : std::uint8_t { kNeedleDriver, kForceps, kAcupunctureNeedle, kFinger, kNone };
+enum class ToolKind : std::uint8_t { kNeedleDriver, kForceps, kAcupunctureNeedle, kFinger,
+                                     kElectrocautery,   // a pen with a blade; closing the hand switches the current on
+                                     kAllis,            // a clamp that grasps as forceps do
+                                     kNone };
 const char* name(ToolKind);                  // as in scene.toml
 
 struct JawShape {                            // of one tool, as it is simulated
@@ -178,6 +187,7 @@ struct RenderScene {
   int threadNodes = 0;
   double threadRadius = 0.0;                 // [m]
   NeedleShape needle;
+  bool perineum = false;                     // skin round a prolapse instead of an open wound; bowel 0 is then inside out
   LayeredBody body;                          // of a scene that needles a body; triangles of hidden layers are in `surface` too
   StraightNeedle straightNeedle;
   double fingerRadius = 0.0;                 // [m] 0: no pressing finger

@@ -56,7 +56,6 @@ struct ThreadParams {                          // [thread]
   double assistTension = 0.5;                  // assist_tension [N] in both tails
   double assistHolding = 10.0;                 // assist_holding [N] a loop of several throws bears 15 N and more (physics.md B5)
   int spare = 0;                               // spare [1] needled threads that the assistant can hand after the first; sim/suture/fresh_thread.h
-  bool onTable = false;                        // on_table: the first one lies there too until it is asked for; only with `spare`
   double breakingTension = 26.3;               // breaking_tension [N] USP knot-pull minimum, 2-0 synthetic absorbable (physics.md D)
 };
 
@@ -73,7 +72,7 @@ struct NeedleParams {                          // [needle]
 };
 
 struct ToolParams {                            // [tool.left], [tool.right]; [tool.left.second], [tool.right.second]
-  ToolKind kind = ToolKind::kNeedleDriver;     // kind = "needle_driver" | "forceps" | "acupuncture_needle" | "finger"; "none" of a second
+  ToolKind kind = ToolKind::kNeedleDriver;     // kind = "needle_driver" | "forceps" | "acupuncture_needle" | "finger" | "electrocautery" | "allis"; "none" of a second
   double jawLength = 12e-3;                    // jaw_length [m]
   double jawRadius = 1.2e-3;                   // jaw_radius [m]
   double shaftRadius = 2.2e-3;                 // shaft_radius [m]
@@ -91,6 +90,17 @@ inline ToolParams withoutTool() {
   return none;
 }
 
+/// An electrocautery pen (kind = "electrocautery"); sim/cutting/burn.h.
+struct CauteryParams {                         // [cautery]
+  double power = 30.0;                         // power [W] of pure cut; 20 to 60 W are usual (design)
+  // cutting_energy [J/m^3] to take tissue away as steam, the tissue counted as water: 1000 kg/m^3 (4.18 kJ/(kg K) 63 K + 2257 kJ/kg)
+  double cuttingEnergy = 2.52e9;
+  double tipRadius = 0.6e-3;                   // tip_radius [m] of the electrode, and of the pen's blade
+  double reach = 0.4e-3;                       // reach [m] from the electrode's surface: how deep its heat goes at once (design)
+  double takeAway = 30e-3;                     // take_away [m] a free piece that has been carried this far is taken out of the scene
+  double crumb = 8e-9;                         // crumb [m^3] a free piece no larger is sucked away with the smoke (design)
+};
+
 struct AnatomyParams {                         // [anatomy]
   std::string mesh;                            // mesh: a surface file; empty = the procedural colon
   double scale = 1.0;                          // scale [m per mesh unit]
@@ -100,8 +110,11 @@ struct AnatomyParams {                         // [anatomy]
   double wall = 2e-3;                          // wall [m]
   double haustraDepth = 2.0e-3;                // haustra_depth [m]
   int around = 34, along = 18;                 // around, along [1] grid of one layer; two layers
-  std::string layout = "one_end";              // layout = "one_end" | "two_ends" | "end_to_end"
-  double gap = 8e-3;                           // gap [m] between the walls of two ends
+  std::string layout = "one_end";              // layout = "one_end" | "two_ends" | "end_to_end" | "prolapse"
+  double gap = 8e-3;                           // gap [m] between the walls of two ends, or of a prolapse
+  // Of a prolapse; `length` is how far it stands out:
+  double cutHeight = 12e-3;                    // cut_height [m] of the planned line over the base, 10 to 15 mm over the dentate line
+  double cutBand = 3e-3;                       // cut_band [m] to either side of it the wall may be cut; farther away that is a fault
   // A body that is needled:
   std::string body;                            // body: table of its acupoints, scenes/NAME/bodies/BODY.toml; empty = the mesh's own, or the slab
   std::string point;                           // point: the acupoint to be needled; empty = the table's first
@@ -127,6 +140,7 @@ struct SimParams {
   NeedleParams needle;
   ToolParams tools[kHands];
   ToolParams second[kHands] = {withoutTool(), withoutTool()};   // what a hand may change its instrument for: sim/tools/instrument.h
+  CauteryParams cautery;
   AnatomyParams anatomy;
   RodParams anvil;
   NeedlingParams needling;                     // [needling]; its keys stand in scenes/scene_fields_needling.cpp

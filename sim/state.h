@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/cutting/cut_state.h"
 #include "sim/exchange.h"
 #include "sim/metrics.h"
 #include "sim/needling/needling.h"
@@ -33,6 +34,7 @@ struct State {
   std::optional<AssistKnot> assist;            // with `thread.assist`
   std::optional<TiedStitches> stitches;        // where stitches are tied and cut off
   std::optional<ThreadSupply> supply;          // with `thread.spare`
+  std::optional<CutState> cut;                 // where tissue can be cut
   std::array<ToolState, kHands> tools;
   std::optional<InstrumentState> instruments;  // where a second instrument is laid out
   ProcedureState procedure;

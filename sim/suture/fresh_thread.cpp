@@ -48,6 +48,7 @@ bool inTheWay(const Model& m, const State& s) {
   const Vec3 swage = driver.proxy.apply(loadedNeedle(m.strand).apply(m.strand.arcPoint.front()));
   const Vec3 end = swage - Vec3(0.0, m.strand.length, 0.0), down = end - swage;
   for (int v : m.surface.vertices) {
+    if (s.cut && !s.cut->bare[v]) continue;
     const Vec3& x = s.tissue.position[v];
     if ((x - swage - closestOnSegment(x, swage, end) * down).squaredNorm() < kFree * kFree) return true;
     if ((x - driver.proxy.position).norm() < 2.0 * m.strand.needle.radius + kFree) return true;
@@ -140,8 +141,6 @@ int finishedStitches(const Model& m, const State& s) {
   if (!finishedLoop(m, s)) return joining;
   return joining + (m.bowels.count < 2 || bowel(firstHole(s).tet) != bowel(lastHole(s).tet));
 }
-
-bool threadOnTable(const Model& m, const State& s) { return m.params.thread.onTable && s.supply && s.supply->handed == 0; }
 
 void handFreshThread(const Model& m, State& s, StepOutput& out) {
   if (!s.supply || !s.stitches) return;

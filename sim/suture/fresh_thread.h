@@ -29,9 +29,6 @@ std::optional<TiedLoop> finishedLoop(const Model&, const State&);
 /// Stitches that are tied and cut off, those kept and the running strand's; of two ends only what joins them: one half torn out is none.
 int finishedStitches(const Model&, const State&);
 
-/// True while the scene's first thread has not been handed: it lies out of reach and nothing moves it.
-bool threadOnTable(const Model&, const State&);
-
 /// Begins the step. Hands a thread, or says in an event and in `State::supply` why not.
 void handFreshThread(const Model&, State&, StepOutput&);
 

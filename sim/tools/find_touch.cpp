@@ -152,6 +152,7 @@ bool looksElsewhere(const Vec3& normal, std::span<const TouchPoint> taken) {
 bool listNear(const Model& m, const State& s, const CapsuleShape& around, ToolState& t) {
   t.nearCount = 0;
   for (std::size_t f = 0; f < m.surface.triangles.size(); ++f) {
+    if (s.cut && !exposed(m.surface, s.tissue.gone, static_cast<int>(f))) continue;
     const Vec3& x = s.tissue.position[m.surface.triangles[f][0]];
     const Vec3 axis = around.a + closestOnSegment(x, around.a, around.b) * (around.b - around.a);
     if ((x - axis).squaredNorm() >= around.radius * around.radius) continue;
@@ -164,8 +165,11 @@ bool listNear(const Model& m, const State& s, const CapsuleShape& around, ToolSt
 }  // namespace
 
 void refreshNear(const Model& m, int hand, State& s) {
+  if (s.step % kRefreshInterval == static_cast<unsigned>(hand)) listNearTriangles(m, hand, s);
+}
+
+void listNearTriangles(const Model& m, int hand, State& s) {
   ToolState& t = s.tools[hand];
-  if (s.step % kRefreshInterval != static_cast<unsigned>(hand)) return;
   const ToolParams& p = toolOf(m, s, hand);
   const Vec3 tip = t.proxy.position, top = t.proxy.apply(Vec3(0.0, 0.0, p.jawLength + p.shaftLength));
   // Where the list would overflow (a shaft lying along a finely meshed wall) the farthest are left out, not the last by index.

@@ -67,6 +67,7 @@ bool graspTissue(const Model& m, int hand, State& s) {
   const double reach = toolOf(m, s, hand).captureRadius;
   const Vec3 a = t.proxy.position, b = t.proxy.apply(Vec3(0.0, 0.0, kJawDepth));
   for (std::size_t f = 0; f < m.surface.triangles.size() && t.graspCount < ToolState::kMaxGrasp; ++f) {
+    if (s.cut && !exposed(m.surface, s.tissue.gone, static_cast<int>(f))) continue;
     const auto& v = m.surface.triangles[f];
     const auto& x = s.tissue.position;
     if ((x[v[0]] - a).norm() > reach + kJawDepth + 8e-3) continue;
@@ -83,17 +84,6 @@ bool graspTissue(const Model& m, int hand, State& s) {
     t.graspForce[g].setZero();
   }
   return t.graspCount > 0;
-}
-
-void dropPoint(ToolState& t, int g) {
-  const int last = --t.graspCount;
-  t.graspTriangle[g] = t.graspTriangle[last];
-  t.graspWeight[g] = t.graspWeight[last];
-  t.graspLocal[g] = t.graspLocal[last];
-  t.graspForce[g] = t.graspForce[last];
-  t.graspTriangle[last] = -1;
-  t.graspWeight[last] = {};
-  t.graspLocal[last] = t.graspForce[last] = Vec3::Zero();
 }
 
 void release(const Model& m, int hand, State& s, StepOutput& out) {
@@ -116,6 +106,7 @@ void release(const Model& m, int hand, State& s, StepOutput& out) {
 }
 
 void close(const Model& m, int hand, State& s, StepOutput& out) {
+  if (toolOf(m, s, hand).kind == ToolKind::kElectrocautery) return;   // its hand only switches the current
   if (cutThread(m, hand, s, out)) return;
   if (graspNeedle(m, hand, s)) pushEvent(out, {s.step, EventKind::kNeedleGrasped, hand, -1, s.tools[hand].needleCoordinate});
   else if (graspThread(m, hand, s)) pushEvent(out, {s.step, EventKind::kThreadGrasped, hand, -1, s.tools[hand].threadCoordinate});
@@ -132,6 +123,17 @@ double seriesStiffness(const Model& m, int hand) {
 }
 
 }  // namespace
+
+void dropGraspPoint(ToolState& t, int g) {
+  const int last = --t.graspCount;
+  t.graspTriangle[g] = t.graspTriangle[last];
+  t.graspWeight[g] = t.graspWeight[last];
+  t.graspLocal[g] = t.graspLocal[last];
+  t.graspForce[g] = t.graspForce[last];
+  t.graspTriangle[last] = -1;
+  t.graspWeight[last] = {};
+  t.graspLocal[last] = t.graspForce[last] = Vec3::Zero();
+}
 
 void moveTool(const Model& m, int hand, const ToolSample& sample, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];
@@ -215,7 +217,7 @@ void slipGrasp(const Model& m, int hand, State& s, StepOutput& out) {
     if (fromJaws(t, now) < kSlipReach * reach) continue;
     const auto& v = m.surface.triangles[t.graspTriangle[g]];
     for (int k = 0; k < 3; ++k) s.work.change[v[k]] -= t.graspWeight[g][k] * t.graspForce[g];
-    dropPoint(t, g);
+    dropGraspPoint(t, g);
   }
   if (t.graspCount == before) return;
   if (t.graspCount == 0) pushEvent(out, {s.step, EventKind::kTissueReleased, hand, -1, held});

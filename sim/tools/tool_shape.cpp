@@ -11,6 +11,9 @@ std::array<CapsuleShape, kSolidsPerTool> toolCapsules(const ToolParams& t, doubl
   constexpr double kHalfDegree = kPi / 360.0;  // half the angle between the jaws, small enough to be its tangent [rad]
   const double open = t.jawRadius + jaw * t.jawAngleDegrees * kHalfDegree * t.jawLength;   // [m] tip offset from the middle
   const Vec3 hinge(0.0, 0.0, t.jawLength);
+  if (t.kind == ToolKind::kElectrocautery)     // one blade, and its hilt
+    return {CapsuleShape{Vec3::Zero(), hinge, t.jawRadius}, CapsuleShape{hinge, hinge, t.shaftRadius},
+            CapsuleShape{hinge, hinge + Vec3(0.0, 0.0, t.shaftLength), t.shaftRadius}};
   const Vec3 side(t.jawRadius, 0.0, 0.0);
   return {CapsuleShape{Vec3(open, 0.0, 0.0), hinge + side, t.jawRadius}, CapsuleShape{Vec3(-open, 0.0, 0.0), hinge - side, t.jawRadius},
           CapsuleShape{hinge, hinge + Vec3(0.0, 0.0, t.shaftLength), t.shaftRadius}};

@@ -12,19 +12,21 @@ namespace {
 
 const Pose kOverEdge{Vec3(0.5 * kWallX, 0.5 * kWallY, kWallZ - 2e-3), Quat::Identity()};   // the wall's edge between open jaws
 
-/// Forceps in the right hand, a needle driver beside them, its thread on the table.
-SimParams forcepsFirst() {
+/// A pen in the right hand, a needle driver beside it, its thread on the table; in the left hand forceps and no other.
+SimParams penFirst(ToolKind secondLeft = ToolKind::kNone) {
   SimParams p = wallParams();
-  p.thread.knots = p.thread.onTable = true;
+  p.thread.knots = true;
   p.thread.spare = 1;
-  p.tools[kRight].kind = ToolKind::kForceps;
+  p.tools[kLeft].kind = ToolKind::kForceps;
+  p.second[kLeft].kind = secondLeft;
+  p.tools[kRight].kind = ToolKind::kElectrocautery;
   p.second[kRight].kind = ToolKind::kNeedleDriver;
   p.second[kRight].jawLength = 18e-3;
   return p;
 }
 
 struct TwoInstruments : StepRig {
-  TwoInstruments() : StepRig(forcepsFirst(), kNeedleAway) { input.tools[kRight].jaw = 1.0; }
+  explicit TwoInstruments(ToolKind secondLeft = ToolKind::kNone) : StepRig(penFirst(secondLeft), kNeedleAway) { input.tools[kRight].jaw = 1.0; }
 
   void say(Command::Kind kind, int hand) {
     input.command = {kind, static_cast<double>(hand)};
@@ -49,7 +51,7 @@ TEST(ChangeOfInstruments, GivesTheOtherOneAndTakesItBack) {
   const CapsuleShape jaw = worldSolids(rig.model, rig.state)[kSolidsPerTool * kRight];
   EXPECT_GT((jaw.b - jaw.a).norm(), 17e-3);                      // it is the driver that touches now
   EXPECT_EQ(rig.change(), InstrumentRefusal::kNone);
-  EXPECT_EQ(toolOf(rig.model, rig.state, kRight).kind, ToolKind::kForceps);
+  EXPECT_EQ(toolOf(rig.model, rig.state, kRight).kind, ToolKind::kElectrocautery);
 }
 
 TEST(ChangeOfInstruments, IsRefusedToAHandThatHasNoOther) {
@@ -60,15 +62,15 @@ TEST(ChangeOfInstruments, IsRefusedToAHandThatHasNoOther) {
 }
 
 TEST(ChangeOfInstruments, IsRefusedWhileTheJawsHoldTissueOrStandInIt) {
-  TwoInstruments rig;
-  rig.input.tools[kRight].pose = kOverEdge;
+  TwoInstruments rig(ToolKind::kAllis);
+  rig.input.tools[kLeft].pose = kOverEdge;
   rig.run(200);
-  EXPECT_EQ(rig.change(), InstrumentRefusal::kInTheWay);
-  rig.input.tools[kRight].jaw = 0.0;
+  EXPECT_EQ(rig.change(kLeft), InstrumentRefusal::kInTheWay);
+  rig.input.tools[kLeft].jaw = 0.0;
   rig.run(100);
-  ASSERT_GT(rig.state.tools[kRight].graspCount, 0);
-  EXPECT_EQ(rig.change(), InstrumentRefusal::kHandFull);
-  EXPECT_EQ(rig.state.instruments->second[kRight], 0);
+  ASSERT_GT(rig.state.tools[kLeft].graspCount, 0);
+  EXPECT_EQ(rig.change(kLeft), InstrumentRefusal::kHandFull);
+  EXPECT_EQ(rig.state.instruments->second[kLeft], 0);
   EXPECT_TRUE(rig.finite());
 }
 

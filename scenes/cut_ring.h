@@ -1,0 +1,30 @@
+#pragma once
+/// The circle on one wall along which a pen is led, as the surgeon sees it on the tissue now, and where the wall has parted along it.
+#include <vector>
+
+#include "sim/model.h"
+#include "sim/state.h"
+
+namespace halsted::scenes {
+
+/// One direction of the circle: between two vertices of the side that the pen comes to.
+struct RingColumn { int below = 0, above = 0; double share = 0.0; };   // [1] of the way from the base's side to the specimen's
+
+struct CutRing {
+  int wall = 0;                                // 0 outer, reached on its mucosa; 1 inner, on its serosa through the outer cut
+  std::vector<RingColumn> column;              // counter-clockwise from +x
+  std::vector<std::vector<int>> cell;          // per column: tets of the row that the circle runs through
+  bool present() const { return column.size() >= 3; }
+};
+
+/// `fromLine` [m] from the planned line, positive toward the base. Not present where the wall has nothing to cut there.
+CutRing ringOn(const Model&, int wall, double fromLine);
+
+/// A place of the circle, turned by `columns` from +x.
+struct RingPlace { Vec3 point = Vec3::Zero(), out = Vec3::UnitX(); };      // [m], [1] away from the axis, square to the wall
+RingPlace placeOnRing(const CutRing&, const State&, double columns);      // [1]
+
+/// Has the wall parted there? Every tet of the circle's own row is gone: only where one row has gone all the way round is anything free.
+bool partedAt(const CutRing&, const State&, int column);
+
+}  // namespace halsted::scenes

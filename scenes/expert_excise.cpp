@@ -1,0 +1,188 @@
+/// An excision: the left hand's clamp takes the fold, the right hand's pen goes round one wall and then the other, and the clamp carries off
+/// what has come free. Hands move, nothing else.
+#include <cmath>
+
+#include "scenes/expert_state.h"
+#include "sim/portable_math.h"
+
+namespace halsted::scenes {
+namespace {
+
+constexpr double kOver = 0.025;                // [m] above a place that is approached
+constexpr double kAcross = 0.10, kClose = 0.03, kCarry = 0.05;   // [m/s] in the air, near tissue, with the specimen
+constexpr double kHalfShut = 0.3;              // [1] of the clamp's jaws: shut on two walls without crushing them
+constexpr double kCurrentOn = 0.0, kCurrentOff = 1.0;   // [1] the pen's button is its jaw
+constexpr double kSettle = 0.3;                // [s]
+constexpr int kAttempts = 3;
+const Vec3 kAway(-0.075, 0.02, 0.035);         // [m] with the specimen, out of the picture's middle
+
+/// A tool with its shaft along `shaft` toward the hand and its jaws opening as near to `across` as that allows.
+Quat heldAlong(const Vec3& shaft, const Vec3& across) {   // [1]
+  Mat3 axes;
+  axes.col(2) = shaft.normalized();
+  axes.col(0) = (across - across.dot(axes.col(2)) * axes.col(2)).normalized();
+  axes.col(1) = axes.col(2).cross(axes.col(0));
+  return Quat(axes).normalized();
+}
+
+/// Top of the fold in a direction: the mucosa farthest from the line.
+int crestAt(const Model& m, double turn) {     // [1] of a turn
+  int best = -1;
+  double least = 1e300;                        // [1]
+  for (int v = 0; v < static_cast<int>(m.mesh.uv.size()); ++v) {
+    if (m.bowels.wallDepth[v] != 1.0) continue;
+    const double off = std::fabs(m.mesh.uv[v].x() - turn);                 // [1]
+    const double cost = std::fmin(off, 1.0 - off) + 10.0 * m.mesh.uv[v].y();   // a row is worth ten times a column
+    if (cost < least) { least = cost; best = v; }
+  }
+  return best;
+}
+
+double turnOf(double degrees) {                // [deg] -> [1] from 0 up to 1
+  const double turn = degrees / 360.0;         // [1]
+  return turn - std::floor(turn);
+}
+
+Pose foldGrip(const Scene& s) {
+  const double angle = s.action.angleDegrees * kPi / 180.0;                // [rad]
+  const Vec3 radial(cosine(angle), sine(angle), 0.0);
+  const Vec3 shaft = (0.35 * radial + Vec3::UnitZ()).normalized();
+  const Vec3 crest = s.state.tissue.position[crestAt(s.model, turnOf(s.action.angleDegrees))];
+  const double deep = s.action.depth + 1e-3 * s.memory.attempt;            // [m]
+  return {crest - deep * shaft, heldAlong(shaft, radial)};
+}
+
+/// Over the fold, down with one jaw in the lumen, shut.
+bool takeFold(const Scene& s, std::string& failure) {
+  ExpertState& e = s.memory;
+  HandMotion& clamp = e.hand[kLeft];
+  if (e.phase == 0) {
+    clamp.jaw = 1.0;
+    if (moveHand(s, kLeft, above(foldGrip(s), kOver), kAcross) && s.inPhase > kSettle) { e.goal[kLeft] = foldGrip(s); nextPhase(s); }
+  } else if (e.phase == 1) {
+    if (moveHand(s, kLeft, e.goal[kLeft], kClose)) nextPhase(s);
+  } else {
+    clamp.jaw = kHalfShut;
+    if (s.inPhase < 2.0 * kSettle) return false;
+    if (s.state.tools[kLeft].graspCount > 0) { nextPhase(s); return true; }
+    if (++e.attempt >= kAttempts) failure = "the clamp does not hold the fold";
+    e.phase = 0;
+    e.phaseStart = s.state.step;
+  }
+  return false;
+}
+
+/// The blade across the wall, square to it but for `tilt_deg` toward the surgeon.
+Pose penAt(const Scene& s, const RingPlace& place, double depth) {          // [m] below the surface
+  const double lean = s.action.tilt * kPi / 180.0;                         // [rad]
+  const Vec3 shaft = cosine(lean) * place.out + sine(lean) * Vec3::UnitZ();
+  return {place.point - depth * place.out, heldAlong(shaft, Vec3::UnitZ())};
+}
+
+/// In strokes, to the depth asked for and out again; a light hand gives way before the wall does.
+void strokeDepth(const Scene& s) {
+  constexpr double kFirm = 0.5;                                            // [N]
+  constexpr double kIn = 3.0e-3, kOut = 4.0e-3, kTop = 0.3e-3;             // [m/s] [m/s] [m]
+  CutCourse& c = s.memory.cut;
+  if (s.state.tools[kRight].force.norm() > kFirm || c.depth >= s.action.depth) c.inward = false;
+  if (c.depth <= kTop) c.inward = true;
+  c.depth += (c.inward ? kIn : -kOut) * s.dt;
+}
+
+/// To and fro over the first part of the circle that has not parted, and on as soon as it has.
+void advanceBlade(const Scene& s) {
+  constexpr double kLap = 0.3;                 // [1] columns beyond the part under work
+  CutCourse& c = s.memory.cut;
+  const int around = static_cast<int>(c.ring.column.size());
+  while (c.done < around && partedAt(c.ring, s.state, c.first + c.done)) {
+    ++c.done;
+    c.forth = true;
+  }
+  const double from = c.first + c.done - kLap, to = c.first + c.done + 1.0 + kLap;   // [1]
+  const RingPlace here = placeOnRing(c.ring, s.state, c.at), next = placeOnRing(c.ring, s.state, c.at + 1.0);
+  const double step = s.action.speed * s.dt / std::fmax(1e-4, (next.point - here.point).norm());   // [1] columns
+  c.at += c.forth ? step : -step;
+  if (c.at > to) c.forth = false;
+  if (c.at < from) c.forth = true;
+}
+
+bool beginCut(const Scene& s, std::string& failure) {
+  CutCourse& c = s.memory.cut;
+  const double line = s.model.params.anatomy.cutHeight;                    // [m] over the base
+  c = {};
+  c.ring = ringOn(s.model, s.action.bowel, s.action.height > 0.0 ? line - s.action.height : 0.0);
+  if (!c.ring.present()) { failure = "there is no wall to cut there"; return false; }
+  c.first = static_cast<int>(turnOf(s.action.angleDegrees) * static_cast<double>(c.ring.column.size()));
+  c.at = c.first;
+  c.depth = -1e-3;
+  return true;
+}
+
+}  // namespace
+
+bool runHoldFold(const Scene& s, std::string& failure) {
+  constexpr double kPull = 4e-3, kMost = 0.015, kFelt = 0.1;               // [m/s] [m] [s]
+  ExpertState& e = s.memory;
+  if (e.phase < 3) {
+    if (!takeFold(s, failure)) return false;
+    e.goal[kLeft] = e.hand[kLeft].command;
+    e.pulled = e.felt[kLeft] = 0.0;
+  }
+  e.felt[kLeft] += s.dt / kFelt * (s.state.tools[kLeft].force.norm() - e.felt[kLeft]);
+  if (s.state.tools[kLeft].graspCount == 0) failure = "the fold has slipped out of the clamp";
+  if (e.felt[kLeft] >= s.action.tension || e.pulled >= kMost) return true;
+  e.pulled += kPull * s.dt;
+  moveHand(s, kLeft, {e.goal[kLeft].position + e.pulled * Vec3::UnitZ(), e.goal[kLeft].orientation}, kClose);
+  return false;
+}
+
+/// Over the start; down on it; round with current; out again.
+bool runCutRing(const Scene& s, std::string& failure) {
+  ExpertState& e = s.memory;
+  HandMotion& pen = e.hand[kRight];
+  if (e.phase == 0) {
+    if (!beginCut(s, failure)) return false;
+    nextPhase(s);
+  }
+  CutCourse& c = e.cut;
+  const RingPlace place = placeOnRing(c.ring, s.state, c.at);
+  if (e.phase <= 2) {
+    pen.jaw = kCurrentOff;
+    if (moveHand(s, kRight, penAt(s, place, e.phase == 1 ? -kOver : -1e-3), e.phase == 1 ? kAcross : kClose) && s.inPhase > kSettle) nextPhase(s);
+  } else if (e.phase == 3) {
+    pen.jaw = kCurrentOn;
+    strokeDepth(s);
+    advanceBlade(s);
+    moveHand(s, kRight, penAt(s, place, c.depth), kClose);
+    if (c.done < static_cast<int>(c.ring.column.size())) return false;
+    e.goal[kRight] = penAt(s, place, -kOver);
+    nextPhase(s);
+  } else {
+    pen.jaw = kCurrentOff;
+    return moveHand(s, kRight, e.goal[kRight], kClose);
+  }
+  return false;
+}
+
+/// Only what has come free is carried off.
+bool runTakeAway(const Scene& s, std::string& failure) {
+  ExpertState& e = s.memory;
+  HandMotion& clamp = e.hand[kLeft];
+  const CutMetrics& cut = *s.state.metrics.cut;
+  if (e.phase == 0) {
+    if (cut.freePieces == 0) { failure = "the specimen is not free"; return false; }
+    if (s.state.tools[kLeft].graspCount == 0) { failure = "the clamp holds nothing"; return false; }
+    e.goal[kLeft] = {clamp.command.position + kAway, clamp.command.orientation};
+    nextPhase(s);
+  }
+  moveHand(s, kRight, parked(kRight), kAcross);
+  if (e.phase == 1) {
+    if (moveHand(s, kLeft, e.goal[kLeft], kCarry)) nextPhase(s);
+  } else {
+    clamp.jaw = 1.0;
+    return s.inPhase > kSettle && cut.taken > 0;
+  }
+  return false;
+}
+
+}  // namespace halsted::scenes

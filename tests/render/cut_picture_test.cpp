@@ -1,0 +1,83 @@
+// Tissue that is cut: what is gone is not drawn, what the cut opens is, and heat chars.
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "render/cut_surface.h"
+#include "render/renderer.h"
+#include "tests/render/golden_picture.h"
+#include "tests/render/synthetic_scene.h"
+
+namespace halsted::render {
+namespace {
+
+constexpr int kWidth = 320, kHeight = 180;
+
+HudInput noHud() {
+  HudInput hud;
+  hud.visible = false;
+  return hud;
+}
+
+/// The open colon end with one face between tets: across the lumen, facing the surgeon.
+class CutPicture : public testing::Test {
+ protected:
+  CutPicture() {
+    int high = 0;
+    for (std::size_t v = 0; v < scene.tissueRest.size(); ++v) high = scene.tissueRest[v].z() > scene.tissueRest[high].z() ? static_cast<int>(v) : high;
+    const double rim = scene.tissueRest[high].z() - 1e-6;        // [m]
+    std::vector<int> around;
+    for (std::size_t v = 0; v < scene.tissueRest.size(); ++v)
+      if (scene.tissueRest[v].z() > rim) around.push_back(static_cast<int>(v));
+    const std::size_t third = around.size() / 3;
+    std::array<int, 3> face{around[0], around[third], around[2 * third]};
+    const Vec3 &a = scene.tissueRest[face[0]], &b = scene.tissueRest[face[1]], &c = scene.tissueRest[face[2]];
+    if ((b - a).cross(c - a).z() < 0.0) std::swap(face[1], face[2]);
+    scene.surface.push_back(face);
+    scene.triangleLayer.push_back(kCutFaceLayer);
+    snapshot = syntheticSnapshot(scene, 1.0, 4);
+    snapshot.exposed.assign(scene.surface.size(), 1);
+    snapshot.exposed.back() = 0;
+    snapshot.charred.assign(scene.surface.size(), 0.0);
+  }
+  double brightness(const Frame& f) const {                     // [1] of 255
+    return static_cast<double>(std::accumulate(f.rgba.begin(), f.rgba.end(), std::uint64_t{0})) / static_cast<double>(f.rgba.size());
+  }
+
+  RenderScene scene = syntheticScene();
+  RenderSnapshot snapshot;
+};
+
+TEST_F(CutPicture, IsTheSameWhileNothingIsCut) {
+  const RenderScene plain = syntheticScene();
+  Renderer uncut(plain, kWidth, kHeight), renderer(scene, kWidth, kHeight);
+  const Frame a = uncut.draw(syntheticSnapshot(plain, 1.0, 4), noHud(), scene.camera);
+  EXPECT_EQ(a.rgba, renderer.draw(snapshot, noHud(), scene.camera).rgba);
+}
+
+TEST_F(CutPicture, TissueThatIsGoneIsNotDrawn) {
+  Renderer renderer(scene, kWidth, kHeight);
+  RenderSnapshot none = snapshot;
+  none.tissue.clear();                         // a snapshot without tissue
+  const Frame a = renderer.draw(none, noHud(), scene.camera);
+  std::fill(snapshot.exposed.begin(), snapshot.exposed.end(), std::uint8_t{0});
+  EXPECT_EQ(a.rgba, renderer.draw(snapshot, noHud(), scene.camera).rgba);
+}
+
+TEST_F(CutPicture, AFaceIsSeenOnceItIsBare) {
+  Renderer renderer(scene, kWidth, kHeight);
+  const Frame a = renderer.draw(snapshot, noHud(), scene.camera);
+  snapshot.exposed.back() = 1;
+  snapshot.exposed.front() = 0;                // something has gone
+  EXPECT_GT(difference(a, renderer.draw(snapshot, noHud(), scene.camera), 8), 0.01);
+}
+
+TEST_F(CutPicture, HeatCharsWhatItTouches) {
+  Renderer renderer(scene, kWidth, kHeight);
+  const double raw = brightness(renderer.draw(snapshot, noHud(), closeCamera()));
+  std::fill(snapshot.charred.begin(), snapshot.charred.end(), 0.95);
+  EXPECT_LT(brightness(renderer.draw(snapshot, noHud(), closeCamera())), 0.9 * raw);
+}
+
+}  // namespace
+}  // namespace halsted::render
