@@ -113,6 +113,7 @@ ExpertAction readAction(const toml::table& table, const std::string& origin) {
     else if (!needle && key == "bowel") action.bowel = readBowel(node, where);
     else if (!needle && key == "wall") action.bowel = readWall(node, where);
     else if (!needle && key == "counter_clockwise") action.counterClockwise = readTruth(node, where);
+    else if (!needle && key == "across") action.across = readTruth(node, where);
     else if (!needle && key == "through") action.through = readTruth(node, where);
     else if (!needle && key == "tie") action.tie = readTie(node, where);
     else readNumber(node, where, key, action);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/suture/fresh_thread.h"
+#include "sim/tools/load_driver.h"
 #include "sim/tools/tool_shape.h"
 #include "tests/sim/step_rig.h"
 
