@@ -54,8 +54,8 @@ struct CutRig {
   StepOutput out;
 
   explicit CutRig(const SimParams& p = cutParams(), Held held = Held::kTop) : CutRig(p, stripMesh(held)) {}
-  CutRig(const SimParams& p, TetMesh mesh) : model(buildModel(p, std::move(mesh), {})) {
-    state = initialState(model, {kAway, kNeedleAway});
+  CutRig(const SimParams& p, TetMesh mesh, const Pose& right = kNeedleAway) : model(buildModel(p, std::move(mesh), {})) {
+    state = initialState(model, {kAway, right});
     input.tools[kLeft].pose = kAway;
     input.tools[kRight].pose = state.tools[kRight].device;
     input.tools[kRight].jaw = 0.0;
