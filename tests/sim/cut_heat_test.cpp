@@ -97,6 +97,25 @@ TEST(CutHeat, GoesOnTheSameAfterBeingSavedInTheMiddle) {
   EXPECT_GT(rig.cut().burnt, 20);
 }
 
+/// Taken back to an earlier moment, a run that has cut elsewhere since keeps nothing of that.
+TEST(CutHeat, GoesOnTheSameAfterBeingTakenBack) {
+  CutRig rig, fresh;
+  const int k = rig.saw(1100);
+  const std::vector<std::uint8_t> kept = save(rig.state);
+  for (int i = 0; i < 40; ++i) {
+    rig.pen(penAt(2e-3, 1.2e-3, (kLineRow - 0.5) * kCell), true);
+    rig.step();
+  }
+  std::string error;
+  ASSERT_TRUE(load(kept, rig.state, error) && load(kept, fresh.state, error)) << error;
+  int a = k, b = k;
+  for (int i = 0; i < 20; ++i) {
+    a = rig.saw(20, a);
+    b = fresh.saw(20, b);
+    ASSERT_EQ(hash(rig.state), hash(fresh.state)) << diff(rig.state, fresh.state);
+  }
+}
+
 TEST(CutHeat, TakesNoHeapLockOrFileInAStep) {
   if (!test::RealtimeGuard::available()) GTEST_SKIP() << "the sanitizer owns malloc";
   CutRig rig;
