@@ -75,11 +75,18 @@ RingPlace placeOnRing(const CutRing& ring, const State& s, double columns) {
   return place;
 }
 
-bool partedAt(const CutRing& ring, const State& s, int column) {
+bool bridgeAt(const CutRing& ring, const Model& m, const State& s, int column, Bridge& bridge) {
   const int around = static_cast<int>(ring.column.size());
-  for (int t : ring.cell[static_cast<std::size_t>((column % around + around) % around)])
-    if (!s.tissue.gone[static_cast<std::size_t>(t)]) return false;
-  return true;
+  const Vec3& tip = s.tools[kRight].proxy.position;
+  double least = 1e300;                        // [m^2]
+  for (int t : ring.cell[static_cast<std::size_t>((column % around + around) % around)]) {
+    if (s.tissue.gone[static_cast<std::size_t>(t)]) continue;
+    Vec3 middle = Vec3::Zero();
+    for (int v : m.tissue.tets[static_cast<std::size_t>(t)]) middle += 0.25 * s.tissue.position[static_cast<std::size_t>(v)];
+    const double d2 = (middle - tip).squaredNorm();
+    if (d2 < least) { least = d2; bridge.middle = middle; }
+  }
+  return least < 1e300;
 }
 
 }  // namespace halsted::scenes

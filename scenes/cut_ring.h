@@ -24,7 +24,9 @@ CutRing ringOn(const Model&, int wall, double fromLine);
 struct RingPlace { Vec3 point = Vec3::Zero(), out = Vec3::UnitX(); };      // [m], [1] away from the axis, square to the wall
 RingPlace placeOnRing(const CutRing&, const State&, double columns);      // [1]
 
-/// Has the wall parted there? Every tet of the circle's own row is gone: only where one row has gone all the way round is anything free.
-bool partedAt(const CutRing&, const State&, int column);
+/// What still holds the two sides together there, the nearest to the tip first: middle of a tet of the circle's own row, as it lies. Only
+/// where that row has gone all the way round is anything free. False when all of it has gone: the wall has parted there.
+struct Bridge { Vec3 middle = Vec3::Zero(); };                            // [m]
+bool bridgeAt(const CutRing&, const Model&, const State&, int column, Bridge&);
 
 }  // namespace halsted::scenes

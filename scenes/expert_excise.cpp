@@ -79,31 +79,29 @@ Pose penAt(const Scene& s, const RingPlace& place, double depth) {          // [
   return {place.point - depth * place.out, heldAlong(shaft, Vec3::UnitZ())};
 }
 
-/// In strokes, to the depth asked for and out again; a light hand gives way before the wall does.
-void strokeDepth(const Scene& s) {
-  constexpr double kFirm = 0.5;                                            // [N]
-  constexpr double kIn = 3.0e-3, kOut = 4.0e-3, kTop = 0.3e-3;             // [m/s] [m/s] [m]
-  CutCourse& c = s.memory.cut;
-  if (s.state.tools[kRight].force.norm() > kFirm || c.depth >= s.action.depth) c.inward = false;
-  if (c.depth <= kTop) c.inward = true;
-  c.depth += (c.inward ? kIn : -kOut) * s.dt;
-}
-
-/// To and fro over the first part of the circle that has not parted, and on as soon as it has.
-void advanceBlade(const Scene& s) {
-  constexpr double kLap = 0.3;                 // [1] columns beyond the part under work
+/// Onto the nearest bridge of the first part that has not parted, and on round the wall as soon as it has; where the blade only leans
+/// against the wall and nothing burns, out of the wall and down on it. True when none is left.
+bool followBridges(const Scene& s, Pose& pen) {
+  constexpr double kSilent = 0.25, kClear = 0.8e-3, kThere = 0.8e-3;       // [s] [m] over the surface [m]
   CutCourse& c = s.memory.cut;
   const int around = static_cast<int>(c.ring.column.size());
-  while (c.done < around && partedAt(c.ring, s.state, c.first + c.done)) {
-    ++c.done;
-    c.forth = true;
-  }
-  const double from = c.first + c.done - kLap, to = c.first + c.done + 1.0 + kLap;   // [1]
-  const RingPlace here = placeOnRing(c.ring, s.state, c.at), next = placeOnRing(c.ring, s.state, c.at + 1.0);
-  const double step = s.action.speed * s.dt / std::fmax(1e-4, (next.point - here.point).norm());   // [1] columns
-  c.at += c.forth ? step : -step;
-  if (c.at > to) c.forth = false;
-  if (c.at < from) c.forth = true;
+  Bridge bridge;
+  while (c.done < around && !bridgeAt(c.ring, s.model, s.state, c.first + c.done, bridge)) ++c.done;
+  if (c.done == around) return true;
+  c.quiet = s.state.metrics.cut->current ? 0.0 : c.quiet + s.dt;
+  if (c.quiet > kSilent) c.lifted = true;
+  const RingPlace place = placeOnRing(c.ring, s.state, c.first + c.done + 0.5);
+  const double depth = (place.point - bridge.middle).dot(place.out);       // [m]
+  pen = penAt(s, {bridge.middle, place.out}, c.lifted ? -depth - kClear : std::fmin(0.0, s.action.depth - depth));   // no deeper than was said
+  if (c.lifted && (s.state.tools[kRight].proxy.position - pen.position).norm() < kThere) { c.lifted = false; c.quiet = 0.0; }
+  return false;
+}
+
+/// A hand that cuts does not press on what holds it back: when that goes, it would fall through.
+void holdLightly(HandMotion& pen) {
+  constexpr double kMost = 0.4e-3;             // [m] past what is aimed at
+  const double size = pen.correction.norm();   // [m]
+  if (size > kMost) pen.correction *= kMost / size;
 }
 
 bool beginCut(const Scene& s, std::string& failure) {
@@ -113,8 +111,6 @@ bool beginCut(const Scene& s, std::string& failure) {
   c.ring = ringOn(s.model, s.action.bowel, s.action.height > 0.0 ? line - s.action.height : 0.0);
   if (!c.ring.present()) { failure = "there is no wall to cut there"; return false; }
   c.first = static_cast<int>(turnOf(s.action.angleDegrees) * static_cast<double>(c.ring.column.size()));
-  c.at = c.first;
-  c.depth = -1e-3;
   return true;
 }
 
@@ -144,17 +140,15 @@ bool runCutRing(const Scene& s, std::string& failure) {
     if (!beginCut(s, failure)) return false;
     nextPhase(s);
   }
-  CutCourse& c = e.cut;
-  const RingPlace place = placeOnRing(c.ring, s.state, c.at);
+  const RingPlace place = placeOnRing(e.cut.ring, s.state, e.cut.first + e.cut.done + 0.5);
   if (e.phase <= 2) {
     pen.jaw = kCurrentOff;
     if (moveHand(s, kRight, penAt(s, place, e.phase == 1 ? -kOver : -1e-3), e.phase == 1 ? kAcross : kClose) && s.inPhase > kSettle) nextPhase(s);
   } else if (e.phase == 3) {
     pen.jaw = kCurrentOn;
-    strokeDepth(s);
-    advanceBlade(s);
-    moveHand(s, kRight, penAt(s, place, c.depth), kClose);
-    if (c.done < static_cast<int>(c.ring.column.size())) return false;
+    holdLightly(pen);
+    Pose goal;
+    if (!followBridges(s, goal)) { moveHand(s, kRight, goal, s.action.speed); return false; }
     e.goal[kRight] = penAt(s, place, -kOver);
     nextPhase(s);
   } else {

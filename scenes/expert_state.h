@@ -21,10 +21,8 @@ struct NeedlePlan {
 struct CutCourse {
   CutRing ring;
   int first = 0, done = 0;                     // columns: where it began; parted since, one after the other
-  double at = 0.0;                             // [1] columns from +x: where the blade is led
-  bool forth = true;                           // counter-clockwise; else back over what has not parted
-  double depth = 0.0;                          // [m] of the tip below the surface
-  bool inward = true;                          // stroke under way
+  double quiet = 0.0;                          // [s] since current last flowed
+  bool lifted = false;                         // on its way out of the wall, to come down anew
 };
 
 struct ExpertState {

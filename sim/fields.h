@@ -103,10 +103,10 @@ template <class V> struct FieldWalk {
 HALSTED_FIELDS(Pose, position, orientation)
 /// Of heat and what is gone nothing at all where nothing can be cut.
 template <class V> void visitMembers(TissueState& object, FieldWalk<V>& walk) {
-  auto& [position, velocity, rotation, pressure, rodForce, pairCount, droppedPairs, pairVertex, pairTriangle, pairForce, heat, gone, left] = object;
+  auto& [position, velocity, rotation, pressure, rodForce, pairCount, droppedPairs, pairVertex, pairTriangle, pairForce, heat, gone, left, piece] = object;
   walk.members("position, velocity, rotation, pressure, rodForce, pairCount, droppedPairs, pairVertex, pairTriangle, pairForce",
                position, velocity, rotation, pressure, rodForce, pairCount, droppedPairs, pairVertex, pairTriangle, pairForce);
-  if (!gone.empty()) walk.members("heat, gone, left", heat, gone, left);
+  if (!gone.empty()) walk.members("heat, gone, left, piece", heat, gone, left, piece);
 }
 HALSTED_FIELDS(CutState, piece, bare, tie, pieces, goneTets)
 HALSTED_FIELDS(Hole, tet, weight, coordinate, force, slip, bite, role, entryCosine)

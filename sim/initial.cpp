@@ -17,6 +17,7 @@ void beginCut(const Model& m, State& s) {
   s.tissue.heat.assign(tets, 0.0);
   s.tissue.gone.assign(tets, 0);
   s.tissue.left.assign(particles, 1.0);
+  s.tissue.piece.assign(particles, 0);
   s.cut.emplace();
   s.cut->piece.assign(tets, 0);
   s.cut->bare.assign(particles, 0);

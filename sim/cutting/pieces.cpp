@@ -48,6 +48,7 @@ void numberPieces(const Model& m, State& s) {
   std::fill(w.label.begin(), w.label.end(), -1);
   w.label[heldRoot(m, s)] = 0;
   w.volume[0] = 0.0;
+  std::fill(s.tissue.piece.begin(), s.tissue.piece.end(), -1);
   cut.pieces = cut.goneTets = 0;
   for (std::size_t t = 0; t < cut.piece.size(); ++t) {
     cut.piece[t] = -1;
@@ -55,6 +56,7 @@ void numberPieces(const Model& m, State& s) {
     std::int32_t& label = w.label[rootOf(w.parent, m.tissue.tets[t][0])];
     if (label < 0) { label = ++cut.pieces; w.volume[label] = 0.0; }
     cut.piece[t] = label;
+    for (int v : m.tissue.tets[t]) s.tissue.piece[v] = label;
     w.volume[label] += m.tissue.restVolume[t];
   }
 }

@@ -24,6 +24,7 @@ struct TissueState {
   std::vector<double> heat;                    // [J] per tet, that current has left there; none of it flows on
   std::vector<std::uint8_t> gone;              // per tet: Gone
   std::vector<double> left;                    // [1] per particle: share of its mass in tets that are left; 0: it belongs to nothing any more
+  std::vector<std::int32_t> piece;             // per particle: 0 hangs on what is held in place, 1 .. a free piece, -1 belongs to nothing any more
 };
 
 }  // namespace halsted
