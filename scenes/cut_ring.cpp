@@ -39,12 +39,26 @@ Vec3 upAt(const CutRing& ring, const State& s, int column) {              // [m]
   return sum;
 }
 
+/// Between the mean of its corners on the base's edge and that of those on the specimen's: a cut gapes, and its last strands are stretched.
+Vec3 middleOf(const CutRing& ring, const Model& m, const State& s, int tet) {   // [m]
+  std::array<Vec3, 2> sum{Vec3::Zero(), Vec3::Zero()};                    // [m]
+  std::array<int, 2> count{};
+  for (int v : m.tissue.tets[static_cast<std::size_t>(tet)]) {
+    const int side = m.mesh.uv[static_cast<std::size_t>(v)].y() >= ring.fromLine ? 0 : 1;
+    sum[static_cast<std::size_t>(side)] += s.tissue.position[static_cast<std::size_t>(v)];
+    ++count[static_cast<std::size_t>(side)];
+  }
+  if (count[0] == 0 || count[1] == 0) return 0.25 * (sum[0] + sum[1]);
+  return 0.5 * (sum[0] / count[0] + sum[1] / count[1]);
+}
+
 }  // namespace
 
 CutRing ringOn(const Model& m, int wall, double fromLine) {
   constexpr double kSameRow = 1e-6;            // [m]
   CutRing ring;
   ring.wall = wall;
+  ring.fromLine = fromLine;
   int columns = 0;
   double nearest = 1e300;                      // [m] from the circle to the middle of a row of tets
   for (const CutMark& mark : m.mesh.cutLine) {
@@ -75,14 +89,19 @@ RingPlace placeOnRing(const CutRing& ring, const State& s, double columns) {
   return place;
 }
 
+Vec3 centreOf(const CutRing& ring, const State& s) {
+  Vec3 sum = Vec3::Zero();
+  for (int i = 0; i < static_cast<int>(ring.column.size()); ++i) sum += pointAt(ring, s, i);
+  return sum / static_cast<double>(ring.column.size());
+}
+
 bool bridgeAt(const CutRing& ring, const Model& m, const State& s, int column, Bridge& bridge) {
   const int around = static_cast<int>(ring.column.size());
   const Vec3& tip = s.tools[kRight].proxy.position;
   double least = 1e300;                        // [m^2]
   for (int t : ring.cell[static_cast<std::size_t>((column % around + around) % around)]) {
     if (s.tissue.gone[static_cast<std::size_t>(t)]) continue;
-    Vec3 middle = Vec3::Zero();
-    for (int v : m.tissue.tets[static_cast<std::size_t>(t)]) middle += 0.25 * s.tissue.position[static_cast<std::size_t>(v)];
+    const Vec3 middle = middleOf(ring, m, s, t);
     const double d2 = (middle - tip).squaredNorm();
     if (d2 < least) { least = d2; bridge.middle = middle; }
   }

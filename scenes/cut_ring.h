@@ -11,6 +11,7 @@ namespace halsted::scenes {
 struct RingColumn { int below = 0, above = 0; double share = 0.0; };   // [1] of the way from the base's side to the specimen's
 
 struct CutRing {
+  double fromLine = 0.0;                       // [m] positive toward the base
   int wall = 0;                                // 0 outer, reached on its mucosa; 1 inner, on its serosa through the outer cut
   std::vector<RingColumn> column;              // counter-clockwise from +x
   std::vector<std::vector<int>> cell;          // per column: tets of the row that the circle runs through
@@ -24,8 +25,10 @@ CutRing ringOn(const Model&, int wall, double fromLine);
 struct RingPlace { Vec3 point = Vec3::Zero(), out = Vec3::UnitX(); };      // [m], [1] away from the axis, square to the wall
 RingPlace placeOnRing(const CutRing&, const State&, double columns);      // [1]
 
-/// What still holds the two sides together there, the nearest to the tip first: middle of a tet of the circle's own row, as it lies. Only
-/// where that row has gone all the way round is anything free. False when all of it has gone: the wall has parted there.
+Vec3 centreOf(const CutRing&, const State&);                              // [m] of the circle as it lies
+
+/// What still holds the two sides together there, the nearest to the tip first: a tet of the circle's own row, as it lies, where it is as far
+/// from the one edge as from the other. Only where that row has gone all the way round is anything free. False when all of it has gone: the wall has parted there.
 struct Bridge { Vec3 middle = Vec3::Zero(); };                            // [m]
 bool bridgeAt(const CutRing&, const Model&, const State&, int column, Bridge&);
 

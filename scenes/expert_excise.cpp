@@ -79,10 +79,21 @@ Pose penAt(const Scene& s, const RingPlace& place, double depth) {          // [
   return {place.point - depth * place.out, heldAlong(shaft, Vec3::UnitZ())};
 }
 
+/// Nobody lets a blade deeper than the wall is thick: as deep as was said under the surface of the ring ahead, which is whole yet. What is
+/// cut gives way under the blade and tells nothing.
+Vec3 noDeeper(const Scene& s, const Vec3& place) {   // [m]
+  constexpr double kAhead = 3.0;               // [1] columns
+  const CutCourse& c = s.memory.cut;
+  const Vec3 centre = centreOf(c.ring, s.state), from = place - centre;     // [m]
+  const double least = (placeOnRing(c.ring, s.state, c.first + c.done + kAhead).point - centre).norm() - s.action.depth;   // [m]
+  const double far = from.norm();              // [m]
+  return far < least ? Vec3(centre + least / far * from) : place;
+}
+
 /// Onto the nearest bridge of the first part that has not parted, and on round the wall as soon as it has; where the blade only leans
 /// against the wall and nothing burns, out of the wall and down on it. True when none is left.
 bool followBridges(const Scene& s, Pose& pen) {
-  constexpr double kSilent = 0.25, kClear = 0.8e-3, kThere = 0.8e-3;       // [s] [m] over the surface [m]
+  constexpr double kSilent = 0.12, kClear = 0.8e-3, kThere = 1.0e-3, kLead = 0.45e-3;   // [s] [m] over the surface [m] [m]
   CutCourse& c = s.memory.cut;
   const int around = static_cast<int>(c.ring.column.size());
   Bridge bridge;
@@ -92,8 +103,12 @@ bool followBridges(const Scene& s, Pose& pen) {
   if (c.quiet > kSilent) c.lifted = true;
   const RingPlace place = placeOnRing(c.ring, s.state, c.first + c.done + 0.5);
   const double depth = (place.point - bridge.middle).dot(place.out);       // [m]
-  pen = penAt(s, {bridge.middle, place.out}, c.lifted ? -depth - kClear : std::fmin(0.0, s.action.depth - depth));   // no deeper than was said
-  if (c.lifted && (s.state.tools[kRight].proxy.position - pen.position).norm() < kThere) { c.lifted = false; c.quiet = 0.0; }
+  pen = penAt(s, {bridge.middle, place.out}, c.lifted ? -depth - kClear : 0.0);
+  if (!c.lifted) pen.position = noDeeper(s, pen.position);
+  const Vec3& tip = s.state.tools[kRight].proxy.position;
+  const Vec3 way = pen.position - tip;         // [m]
+  if (c.lifted && way.norm() < kThere) { c.lifted = false; c.quiet = 0.0; }
+  if (!c.lifted && way.norm() > kLead) pen.position = tip + kLead / way.norm() * way;     // led, not pushed
   return false;
 }
 
@@ -123,12 +138,14 @@ bool runHoldFold(const Scene& s, std::string& failure) {
     if (!takeFold(s, failure)) return false;
     e.goal[kLeft] = e.hand[kLeft].command;
     e.pulled = e.felt[kLeft] = 0.0;
+    // Away from the middle of the line: its whole circumference is then stretched alike, and the cut gapes as it is made.
+    e.pullAlong = (e.goal[kLeft].position - centreOf(ringOn(s.model, 0, 0.0), s.state)).normalized();
   }
   e.felt[kLeft] += s.dt / kFelt * (s.state.tools[kLeft].force.norm() - e.felt[kLeft]);
   if (s.state.tools[kLeft].graspCount == 0) failure = "the fold has slipped out of the clamp";
   if (e.felt[kLeft] >= s.action.tension || e.pulled >= kMost) return true;
   e.pulled += kPull * s.dt;
-  moveHand(s, kLeft, {e.goal[kLeft].position + e.pulled * Vec3::UnitZ(), e.goal[kLeft].orientation}, kClose);
+  moveHand(s, kLeft, {e.goal[kLeft].position + e.pulled * e.pullAlong, e.goal[kLeft].orientation}, kClose);
   return false;
 }
 
@@ -145,10 +162,11 @@ bool runCutRing(const Scene& s, std::string& failure) {
     pen.jaw = kCurrentOff;
     if (moveHand(s, kRight, penAt(s, place, e.phase == 1 ? -kOver : -1e-3), e.phase == 1 ? kAcross : kClose) && s.inPhase > kSettle) nextPhase(s);
   } else if (e.phase == 3) {
-    pen.jaw = kCurrentOn;
     holdLightly(pen);
     Pose goal;
-    if (!followBridges(s, goal)) { moveHand(s, kRight, goal, s.action.speed); return false; }
+    const bool through = followBridges(s, goal);
+    pen.jaw = e.cut.lifted || through ? kCurrentOff : kCurrentOn;
+    if (!through) { moveHand(s, kRight, goal, e.cut.lifted ? kClose : s.action.speed); return false; }
     e.goal[kRight] = penAt(s, place, -kOver);
     nextPhase(s);
   } else {
