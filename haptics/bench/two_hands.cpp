@@ -20,8 +20,10 @@ class Wanderer {
     if (left_-- > 0) return target_;
     left_ = 250 + static_cast<int>(150.0 * uniform());
     target_.valid = true;
-    target_.pose.position = Vec3(22e-3 * uniform(), 22e-3 * uniform(), 12e-3 * uniform());   // [m] about the opening
-    const Quat turn(3.0, uniform(), uniform(), uniform());
+    const double z = uniform(), y = uniform(), x = uniform();    // [1] one after the other: a call's arguments are drawn in no fixed order
+    target_.pose.position = Vec3(22e-3 * x, 22e-3 * y, 12e-3 * z);   // [m] about the opening
+    const double k = uniform(), j = uniform(), i = uniform();    // [1]
+    const Quat turn(3.0, i, j, k);
     target_.pose.orientation = (turn.normalized() * start_.orientation).normalized();
     target_.jaw = uniform() > 0.0 ? 1.0 : 0.0;
     return target_;

@@ -87,7 +87,7 @@ class KnotReader {
   std::vector<Vec3> straight_, seen_;          // [m]
   std::vector<int> node_;                      // of the thread, for each point of `straight_`
   std::vector<Visit> visits_;
-  KnotDiagram diagram_, best_;
+  KnotDiagram diagram_;
 };
 
 /// As surgeons write it: "1", "1=1", "1x1", "2=1=1"; empty when nothing is tied; "?" added when crossings are left over.

@@ -28,8 +28,10 @@ class HandNoise {
   }
   void choose(int hand) {
     left_[hand] = 150 + static_cast<int>(100.0 * uniform());
-    goal_[hand].position = centre_ + Vec3(15e-3 * uniform(), 12e-3 * uniform(), 10e-3 * uniform());
-    const Quat q(1.5 + uniform(), uniform(), uniform(), uniform());
+    const double z = uniform(), y = uniform(), x = uniform();    // [1] one after the other: a call's arguments are drawn in no fixed order
+    goal_[hand].position = centre_ + Vec3(15e-3 * x, 12e-3 * y, 10e-3 * z);
+    const double k = uniform(), j = uniform(), i = uniform(), w = uniform();   // [1]
+    const Quat q(1.5 + w, i, j, k);
     goal_[hand].orientation = q.normalized();
     jaw_[hand] = uniform() > 0.0 ? 1.0 : 0.0;
   }

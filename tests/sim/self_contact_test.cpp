@@ -80,7 +80,8 @@ void crumple(const Model& m, double size, std::uint64_t seed, State& s) {
   for (std::size_t i = 0; i < s.tissue.position.size(); ++i) {
     Vec3 x = m.mesh.vertices[i];
     if (x.y() > 0.5 * kWallY) { x.y() = kWallY - x.y(); x.x() += 1.3 * kWallX; }   // the far half lies over the near half
-    s.tissue.position[i] = x + size * Vec3(uniform(), uniform(), uniform());
+    const double z = uniform(), y = uniform(), across = uniform();   // [1] one after the other: a call's arguments are drawn in no fixed order
+    s.tissue.position[i] = x + size * Vec3(across, y, z);
   }
 }
 
