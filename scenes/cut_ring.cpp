@@ -40,15 +40,20 @@ Vec3 upAt(const CutRing& ring, const State& s, int column) {              // [m]
 }
 
 /// Between the mean of its corners on the base's edge and that of those on the specimen's: a cut gapes, and its last strands are stretched.
-Vec3 middleOf(const CutRing& ring, const Model& m, const State& s, int tet) {   // [m]
+Vec3 middleOf(const Model& m, const State& s, int tet) {                   // [m]
+  const auto& corners = m.tissue.tets[static_cast<std::size_t>(tet)];
+  double low = 1e300, high = -1e300;           // [m] from the line
+  for (int v : corners) {
+    low = std::fmin(low, m.mesh.uv[static_cast<std::size_t>(v)].y());
+    high = std::fmax(high, m.mesh.uv[static_cast<std::size_t>(v)].y());
+  }
   std::array<Vec3, 2> sum{Vec3::Zero(), Vec3::Zero()};                    // [m]
   std::array<int, 2> count{};
-  for (int v : m.tissue.tets[static_cast<std::size_t>(tet)]) {
-    const int side = m.mesh.uv[static_cast<std::size_t>(v)].y() >= ring.fromLine ? 0 : 1;
-    sum[static_cast<std::size_t>(side)] += s.tissue.position[static_cast<std::size_t>(v)];
-    ++count[static_cast<std::size_t>(side)];
+  for (int v : corners) {
+    const std::size_t side = m.mesh.uv[static_cast<std::size_t>(v)].y() > 0.5 * (low + high) ? 0 : 1;
+    sum[side] += s.tissue.position[static_cast<std::size_t>(v)];
+    ++count[side];
   }
-  if (count[0] == 0 || count[1] == 0) return 0.25 * (sum[0] + sum[1]);
   return 0.5 * (sum[0] / count[0] + sum[1] / count[1]);
 }
 
@@ -58,7 +63,6 @@ CutRing ringOn(const Model& m, int wall, double fromLine) {
   constexpr double kSameRow = 1e-6;            // [m]
   CutRing ring;
   ring.wall = wall;
-  ring.fromLine = fromLine;
   int columns = 0;
   double nearest = 1e300;                      // [m] from the circle to the middle of a row of tets
   for (const CutMark& mark : m.mesh.cutLine) {
@@ -101,7 +105,7 @@ bool bridgeAt(const CutRing& ring, const Model& m, const State& s, int column, B
   double least = 1e300;                        // [m^2]
   for (int t : ring.cell[static_cast<std::size_t>((column % around + around) % around)]) {
     if (s.tissue.gone[static_cast<std::size_t>(t)]) continue;
-    const Vec3 middle = middleOf(ring, m, s, t);
+    const Vec3 middle = middleOf(m, s, t);
     const double d2 = (middle - tip).squaredNorm();
     if (d2 < least) { least = d2; bridge.middle = middle; }
   }

@@ -11,7 +11,6 @@ namespace halsted::scenes {
 struct RingColumn { int below = 0, above = 0; double share = 0.0; };   // [1] of the way from the base's side to the specimen's
 
 struct CutRing {
-  double fromLine = 0.0;                       // [m] positive toward the base
   int wall = 0;                                // 0 outer, reached on its mucosa; 1 inner, on its serosa through the outer cut
   std::vector<RingColumn> column;              // counter-clockwise from +x
   std::vector<std::vector<int>> cell;          // per column: tets of the row that the circle runs through
