@@ -3,10 +3,9 @@
 /// of the surface are gone with their tets. Faces are plain triangles of the physics mesh: a burnt edge is rough.
 #include "render/gpu_mesh.h"
 #include "sim/exchange.h"
+#include "sim/mesh.h"
 
 namespace halsted::render {
-
-constexpr int kCutFaceLayer = 3;             // of RenderScene::triangleLayer: between two tets
 
 /// Triangles of the boundary, which come before those between tets.
 std::size_t boundaryTriangles(const RenderScene&);

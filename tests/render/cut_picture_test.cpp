@@ -3,8 +3,8 @@
 
 #include <numeric>
 
-#include "render/cut_surface.h"
 #include "render/renderer.h"
+#include "sim/mesh.h"
 #include "tests/render/golden_picture.h"
 #include "tests/render/synthetic_scene.h"
 
@@ -34,7 +34,7 @@ class CutPicture : public testing::Test {
     const Vec3 &a = scene.tissueRest[face[0]], &b = scene.tissueRest[face[1]], &c = scene.tissueRest[face[2]];
     if ((b - a).cross(c - a).z() < 0.0) std::swap(face[1], face[2]);
     scene.surface.push_back(face);
-    scene.triangleLayer.push_back(kCutFaceLayer);
+    scene.triangleLayer.push_back(kCutFace);
     snapshot = syntheticSnapshot(scene, 1.0, 4);
     snapshot.exposed.assign(scene.surface.size(), 1);
     snapshot.exposed.back() = 0;
