@@ -88,7 +88,8 @@ RingPlace placeOnRing(const CutRing& ring, const State& s, double columns) {
   const double share = columns - first;        // [1]
   RingPlace place;
   place.point = (1.0 - share) * pointAt(ring, s, first) + share * pointAt(ring, s, first + 1);
-  const Vec3 along = pointAt(ring, s, first + 1 + kWide) - pointAt(ring, s, first - kWide);
+  const auto alongAt = [&](int column) { return Vec3(pointAt(ring, s, column + kWide) - pointAt(ring, s, column - kWide)); };   // [m]
+  const Vec3 along = (1.0 - share) * alongAt(first) + share * alongAt(first + 1);
   place.out = along.cross((1.0 - share) * upAt(ring, s, first) + share * upAt(ring, s, first + 1)).normalized();
   return place;
 }
