@@ -10,6 +10,8 @@ namespace {
 
 using halsted::testing::TemporaryFolder;
 
+constexpr std::uint64_t kRecorded = 15000;     // steps that are replayed too: well into the outer wall
+
 struct Excision {
   double outerAtInner = 0.0;                   // [1] share of the outer wall that was through when the inner one was first hurt
   double hardest = 0.0;                        // [N] on a hand
@@ -29,7 +31,7 @@ TEST(SlowAltemeier, TheSpecimenIsCutOffRoundBothWallsAndCarriedAwayByTheScriptWi
   {
     SessionWriter writer(session, sessionHeader(scenario, ""));
     while (run.advance()) {
-      writer.addStep(run.input(), hash(run.state()));
+      if (run.state().step <= kRecorded) writer.addStep(run.input(), hash(run.state()));
       seen.look(run.state());
     }
     writer.close();
@@ -52,7 +54,7 @@ TEST(SlowAltemeier, TheSpecimenIsCutOffRoundBothWallsAndCarriedAwayByTheScriptWi
   Verifier verifier;
   while (replay.advance() && verifier.check(replay)) {}
   EXPECT_EQ(verifier.message(), "");
-  EXPECT_EQ(verifier.stepsChecked(), s.step);
+  EXPECT_EQ(verifier.stepsChecked(), kRecorded);
   std::printf("altemeier: %.1f s, %.0f J in %.1f s of current, off the line by %.2f mm in the mean and %.2f at worst, %.1f J where it should not be, %.1f N on a hand\n",
               run.time(), m["cut_energy_j"], m["cut_time_s"], 1e3 * m["cut_error_mean_m"], 1e3 * m["cut_error_worst_m"], m["cut_overshoot_j"], seen.hardest);
 }
