@@ -16,7 +16,7 @@ const Vec3 kRaw(0.60, 0.26, 0.20);           // linear reflectance of muscle cut
 }  // namespace
 
 std::size_t boundaryTriangles(const RenderScene& scene) {
-  const auto first = std::find(scene.triangleLayer.begin(), scene.triangleLayer.end(), kCutFace);
+  const auto first = std::find(scene.triangleLayer.begin(), scene.triangleLayer.end(), kCutFaceLayer);
   if (first == scene.triangleLayer.end()) return scene.surface.size();   // a scene may name no layers
   return std::min(scene.surface.size(), static_cast<std::size_t>(first - scene.triangleLayer.begin()));
 }

@@ -2,8 +2,8 @@
 /// What a cut opens: the faces between tets that are seen once one side is gone, dark where heat has charred them, and which triangles
 /// of the surface are gone with their tets. Faces are plain triangles of the physics mesh: a burnt edge is rough.
 #include "render/gpu_mesh.h"
+#include "render/skin.h"
 #include "sim/exchange.h"
-#include "sim/mesh.h"
 
 namespace halsted::render {
 

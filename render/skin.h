@@ -10,6 +10,8 @@
 
 namespace halsted::render {
 
+inline constexpr int kCutFaceLayer = 3;      // of RenderScene::triangleLayer: between two tets, as sim/mesh.h has it
+
 /// Sparse rows of weights over particles, each adding up to 1.
 struct SkinWeights {
   std::vector<std::uint32_t> start;          // rows + 1

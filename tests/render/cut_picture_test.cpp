@@ -1,10 +1,12 @@
 // Tissue that is cut: what is gone is not drawn, what the cut opens is, and heat chars.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "render/renderer.h"
-#include "sim/mesh.h"
+#include "render/skin.h"
 #include "tests/render/golden_picture.h"
 #include "tests/render/synthetic_scene.h"
 
@@ -23,18 +25,22 @@ HudInput noHud() {
 class CutPicture : public testing::Test {
  protected:
   CutPicture() {
-    int high = 0;
-    for (std::size_t v = 0; v < scene.tissueRest.size(); ++v) high = scene.tissueRest[v].z() > scene.tissueRest[high].z() ? static_cast<int>(v) : high;
-    const double rim = scene.tissueRest[high].z() - 1e-6;        // [m]
-    std::vector<int> around;
-    for (std::size_t v = 0; v < scene.tissueRest.size(); ++v)
-      if (scene.tissueRest[v].z() > rim) around.push_back(static_cast<int>(v));
-    const std::size_t third = around.size() / 3;
-    std::array<int, 3> face{around[0], around[third], around[2 * third]};
+    double top = scene.tissueRest.front().z();                   // [m]
+    for (const Vec3& p : scene.tissueRest) top = std::max(top, p.z());
+    std::array<int, 3> face{};
+    for (int k = 0; k < 3; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / 3.0;     // [rad]
+      double farthest = -1e9;                                    // [m] in that direction
+      for (std::size_t v = 0; v < scene.tissueRest.size(); ++v) {
+        const Vec3& p = scene.tissueRest[v];
+        const double out = std::cos(angle) * p.x() + std::sin(angle) * p.y();
+        if (p.z() > top - 2e-3 && out > farthest) { farthest = out; face[k] = static_cast<int>(v); }
+      }
+    }
     const Vec3 &a = scene.tissueRest[face[0]], &b = scene.tissueRest[face[1]], &c = scene.tissueRest[face[2]];
     if ((b - a).cross(c - a).z() < 0.0) std::swap(face[1], face[2]);
     scene.surface.push_back(face);
-    scene.triangleLayer.push_back(kCutFace);
+    scene.triangleLayer.push_back(kCutFaceLayer);
     snapshot = syntheticSnapshot(scene, 1.0, 4);
     snapshot.exposed.assign(scene.surface.size(), 1);
     snapshot.exposed.back() = 0;
