@@ -5,6 +5,11 @@
 #include "sim/needling/needling_scene.h"
 
 namespace halsted::app {
+namespace {
+
+JawShape jawsOf(const ToolParams& tool) { return {tool.jawLength, tool.jawRadius, tool.jawAngleDegrees * std::numbers::pi / 180.0}; }
+
+}  // namespace
 
 RenderScene renderScene(const Scenario& scenario) {
   const SimParams& params = scenario.model.params;
@@ -16,14 +21,16 @@ RenderScene renderScene(const Scenario& scenario) {
   scene.surface = mesh.surface;
   scene.triangleLayer = mesh.triangleLayer;
   scene.surfaceUv = mesh.uv;
+  scene.perineum = params.anatomy.layout == "prolapse";
   scene.threadNodes = threadNodes(scenario.model);
   scene.threadRadius = params.thread.radius;
   scene.needle = {params.needle.arcLength / params.needle.arcAngle, params.needle.arcAngle, params.needle.wireRadius};
   if (params.anvil.radius > 0.0) scene.rods = {{params.anvil.from, params.anvil.to, params.anvil.radius}};
   for (int hand = 0; hand < kHands; ++hand) {
-    const auto& tool = params.tools[hand];
-    scene.tools[hand] = tool.kind;
-    scene.jaws[hand] = {tool.jawLength, tool.jawRadius, tool.jawAngleDegrees * std::numbers::pi / 180.0};
+    scene.tools[hand] = params.tools[hand].kind;
+    scene.jaws[hand] = jawsOf(params.tools[hand]);
+    scene.secondTools[hand] = params.second[hand].kind;
+    scene.secondJaws[hand] = jawsOf(params.second[hand]);
   }
   scene.maxStitches = params.thread.spare;     // the last one keeps its thread
   scene.camera = scenario.scene.camera;

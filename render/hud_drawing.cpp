@@ -56,6 +56,9 @@ const char* toolText(ToolKind tool) {
     case ToolKind::kForceps: return "forceps";
     case ToolKind::kAcupunctureNeedle: return "needle";
     case ToolKind::kFinger: return "finger";
+    case ToolKind::kNone: return "empty";
+    case ToolKind::kElectrocautery: return "electrocautery";
+    case ToolKind::kAllis: return "Allis clamp";
   }
   return "";
 }
@@ -107,7 +110,7 @@ void drawWarnings(const Pen& pen, float right, const HudInput& hud) {
 HudDrawing::HudDrawing(const RenderScene& scene, int width, int height)
     : width_(static_cast<float>(width)), height_(static_cast<float>(height)), scale_(static_cast<float>(height) / 720.0f),
       panels_(width, height),
-      title_(scene.title.empty() ? scene.name : scene.title), body_(scene.body), ids_(scene.stepIds), instructions_(scene.instructions), tools_(scene.tools),
+      title_(scene.title.empty() ? scene.name : scene.title), body_(scene.body), ids_(scene.stepIds), instructions_(scene.instructions), tools_{scene.tools, scene.secondTools},
       stitchesWanted_(scene.stitchesWanted) {
   context_ = ImGui::CreateContext();
   ImGui::SetCurrentContext(context_);
@@ -143,7 +146,7 @@ void HudDrawing::draw(const RenderSnapshot& snapshot, const HudInput& hud, const
   drawProcedure(pen, title_, ids_, instructions_, snapshot.procedureStep, {snapshot.stitchesDone, stitchesWanted_});
   for (int hand = 0; hand < kHands; ++hand) {
     const double force = (hud.live ? hud.haptic.force[hand] : snapshot.tools[hand].force).norm();   // [N]
-    drawHand(pen, hand == kLeft ? 12.0f : right - 228.0f, bottom - 62.0f, hand == kLeft ? "Left" : "Right", tools_[hand], force,
+    drawHand(pen, hand == kLeft ? 12.0f : right - 228.0f, bottom - 62.0f, hand == kLeft ? "Left" : "Right", tools_[snapshot.tools[hand].second ? 1 : 0][hand], force,
              snapshot.tools[hand].jaw);
   }
   if (body_.layers > 0) drawNeedling(pen, {right, bottom}, body_, snapshot, camera);

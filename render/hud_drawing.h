@@ -23,7 +23,7 @@ class HudDrawing {
   std::string title_;
   LayeredBody body_;
   std::vector<std::string> ids_, instructions_;
-  std::array<ToolKind, kHands> tools_;
+  std::array<std::array<ToolKind, kHands>, 2> tools_;      // first and second instruments
   int stitchesWanted_;
 };
 

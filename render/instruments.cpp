@@ -1,61 +1,13 @@
 #include "render/instruments.h"
 
+#include "render/blade.h"
+#include "render/excision_tools.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace halsted::render {
 namespace {
-
-using Color = std::array<double, 3>;
-constexpr Color kSteel{0.78, 0.80, 0.82};        // linear reflectance [1]
-constexpr Color kCarbide{0.34, 0.34, 0.36};      // jaw insert
-constexpr Color kGroove{0.16, 0.16, 0.17};
-constexpr Color kGold{0.83, 0.62, 0.26};         // gold rings mark tungsten-carbide jaws
-constexpr double kDegree = std::numbers::pi / 180.0;   // [rad]
-
-/// A cross-section of a blade: a box with rounded outside corners.
-struct Section {
-  double z = 0.0, inner = 0.0, outer = 0.0, width = 0.0;   // [m] position up the shaft; x of both faces; full size along y
-};
-
-Section between(const std::vector<Section>& s, double z) {  // [m]
-  std::size_t i = 1;
-  while (i + 1 < s.size() && s[i].z < z) ++i;
-  const double t = std::clamp((z - s[i - 1].z) / (s[i].z - s[i - 1].z), 0.0, 1.0);   // [1]
-  const double e = t * t * (3.0 - 2.0 * t);                                         // [1]
-  const auto mix = [&](double a, double b) { return a + (b - a) * e; };             // [m]
-  return {z, mix(s[i - 1].inner, s[i].inner), mix(s[i - 1].outer, s[i].outer), mix(s[i - 1].width, s[i].width)};
-}
-
-/// Seven points around a section: three on the inner face, four on the rounded back. x is mirrored by the sign of `side`.
-Vec3 blade(const Section& s, int k, double side) {          // side [1]
-  static constexpr double kAlongX[7] = {0.0, 0.0, 0.0, 0.45, 1.0, 1.0, 0.45};   // [1] share of the thickness
-  static constexpr double kAlongY[7] = {0.42, 0.0, -0.42, -0.5, -0.26, 0.26, 0.5};
-  const double x = s.inner + (s.outer - s.inner) * kAlongX[k];                      // [m]
-  return Vec3(side * x, side * kAlongY[k] * s.width, s.z);
-}
-
-struct Teeth { double from = 0.0, to = 0.0, pitch = 1.0, depth = 0.0; };   // [m] along z
-
-void addBlade(Shape& shape, const std::vector<Section>& sections, const Teeth& teeth, double side) {
-  std::vector<double> z;                                    // [m]
-  for (double at = sections.front().z; at < sections.back().z;
-       at += at >= teeth.from && at < teeth.to ? 0.5 * teeth.pitch : at < 14e-3 ? 1.7e-3 : 4.2e-3) z.push_back(at);
-  z.push_back(sections.back().z);
-  const auto groove = [&](int i) { return z[i] > teeth.from && z[i] < teeth.to && i % 2 == 1; };
-  Loft loft{static_cast<int>(z.size()), 7, {}, {}};
-  loft.point = [&](int i, int k) {
-    Section s = between(sections, z[i]);
-    if (groove(i) && k < 3) s.inner += teeth.depth;
-    return blade(s, k, side);
-  };
-  loft.color = [&](int i, int k) {
-    if (z[i] < teeth.from || z[i] > teeth.to || k > 2) return kSteel;
-    return groove(i) ? kGroove : kCarbide;
-  };
-  addLoft(shape, loft);
-}
 
 /// Mayo-Hegar pattern: short serrated jaws, box lock, shanks that cross at the pin, ring handles.
 Shape needleDriverHalf(double side) {                       // [1] +1 or -1: the side of the jaw
@@ -103,15 +55,30 @@ void fitJaws(const JawShape& jaws, Shape& half) {
   }
 }
 
+/// How an instrument is drawn, and where it turns.
+struct Pattern {
+  Shape (*half)(double side) = nullptr;        // side [1]
+  double hinge = 0.0;                          // [m] from the tips
+};
+
+const Pattern& patternOf(ToolKind kind) {
+  static const Pattern driver{needleDriverHalf, 16e-3}, forceps{forcepsHalf, 118e-3}, allis{allisHalf, kAllisPin};
+  return kind == ToolKind::kNeedleDriver ? driver : kind == ToolKind::kAllis ? allis : forceps;
+}
+
 }  // namespace
 
 Instrument makeInstrument(ToolKind kind, const JawShape& jaws) {
   Instrument out;
-  const bool driver = kind == ToolKind::kNeedleDriver;
-  for (int h = 0; h < 2; ++h) out.halves[h] = driver ? needleDriverHalf(h ? -1.0 : 1.0) : forcepsHalf(h ? -1.0 : 1.0);
+  if (kind == ToolKind::kElectrocautery) {     // one piece: closing it is pressing its button
+    out.halves[0] = cauteryPen(jaws.length);
+    return out;
+  }
+  const Pattern& pattern = patternOf(kind);
+  for (int h = 0; h < 2; ++h) out.halves[h] = pattern.half(h ? -1.0 : 1.0);
   for (Shape& half : out.halves) fitJaws(jaws, half);
   // Real hinges lie farther back than the simulated ones: the turn is what puts the tips equally far apart.
-  out.hinge = (driver ? 16e-3 : 118e-3) + jaws.length - kDrawn.length;
+  out.hinge = pattern.hinge + jaws.length - kDrawn.length;
   out.openAngle = std::asin(std::clamp(jaws.length * std::sin(0.5 * jaws.openAngle) / out.hinge, 0.0, 1.0));
   return out;
 }

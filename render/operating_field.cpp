@@ -116,8 +116,33 @@ void openWound(double x, double y, Noises& noises, Ground& g) {                 
   g.kind = inside > 0.5 ? 1.0 : g.kind;
 }
 
-Ground groundAt(double x, double y, Noises& noises) {                                         // [1] organ radii
+/// Skin in the window of the drapes: creases run toward the anus and it is darker there; a low mound where the bowel comes out.
+void perianalSkin(double x, double y, Noises& noises, Ground& g) {                            // [1] organ radii
+  const double r = length(x, y);                                                               // [1]
+  if (r > 3.6) return;
+  const double a = std::atan2(y, x), c = std::cos(a), s = std::sin(a);                         // [rad] [1]
+  const double warp = noise(1.1 * x + 9.0, 1.1 * y, 5.0);                                      // [1]
+  const double inside = smoothStep(3.30, 3.18, r + 0.25 * noise(0.8 * c + 5.0, 0.8 * s, 3.0));   // [1] the drape's edge
+  if (inside <= 0.0) return;
+  const double near = smoothStep(2.2, 1.05, r + 0.3 * (warp - 0.5));                           // [1]
+  const double crease = squared(0.5 + 0.5 * std::sin(34.0 * a + 5.0 * noise(3.0 * c, 3.0 * s, 1.5 * r))) * smoothStep(2.0, 1.1, r);   // [1]
+  const double grain = noises.lobes.at(9.0 * x, 9.0 * y, 2.0), red = noises.red.at(1.2 * x, 1.2 * y, 11.0);   // [1]
+  Vec3 color = mixed(Vec3(0.56, 0.33, 0.24), Vec3(0.60, 0.28, 0.21), smoothStep(0.35, 0.65, red));
+  color = mixed(color, Vec3(0.30, 0.135, 0.095), 0.75 * near);                                 // pigmented
+  color = mixed(color, Vec3(0.46, 0.13, 0.10), 0.6 * smoothStep(1.22, 1.04, r));               // anoderm
+  const double edge = smoothStep(3.02, 3.18, r);                                               // [1] below the drape's thick edge
+  g.height = (1.0 - inside) * g.height + inside * (3.2e-3 * near - 0.9e-3 * crease + 0.35e-3 * grain);
+  g.color = mixed(g.color, color * (0.92 + 0.16 * grain), inside);
+  g.shade = (1.0 - inside) * g.shade + inside * (1.0 - 0.35 * crease) * (1.0 - 0.45 * edge) * (0.55 + 0.45 * smoothStep(0.98, 1.5, r));
+  g.kind = inside > 0.5 ? 0.25 : g.kind;
+}
+
+Ground groundAt(double x, double y, bool perineum, Noises& noises) {                          // [1] organ radii
   Ground g = drapeAt(x, y, noises);
+  if (perineum) {
+    perianalSkin(x, y, noises, g);
+    return g;
+  }
   for (std::size_t i = 0; i < kPads.size(); ++i) layPad(x, y, kPads[i], noises.pads[i], g);
   openWound(x, y, noises, g);
   return g;
@@ -146,7 +171,7 @@ Shape makeGrid(const FieldPlace& place) {
     for (int i = 0; i <= kFieldCells; ++i) {
       const double x = i * kCell - kFieldHalfSize, y = j * kCell - kFieldHalfSize;             // [m]
       ShapeVertex vertex{};
-      const double z = place.centre.z() + groundAt(x / place.radius, y / place.radius, noises).height;  // [m]
+      const double z = place.centre.z() + groundAt(x / place.radius, y / place.radius, place.perineum, noises).height;  // [m]
       const double position[3] = {place.centre.x() + x, place.centre.y() + y, z};               // [m]
       for (int k = 0; k < 3; ++k) vertex.position[k] = static_cast<float>(position[k]);
       vertex.normal[2] = 1.0f;
@@ -174,7 +199,7 @@ Vec3 litColor(const Ground& g, const Slope& slope) {                            
 /// Three rows of ground are all that a row of the picture needs; the whole of it would take a hundred megabytes.
 class FieldPainter {
  public:
-  FieldPainter(const FieldPlace& place, int size) : radius_(place.radius), size_(size), texel_(2.0 * kFieldHalfSize / size) {
+  FieldPainter(const FieldPlace& place, int size) : radius_(place.radius), perineum_(place.perineum), size_(size), texel_(2.0 * kFieldHalfSize / size) {
     for (auto& row : rows_) row.resize(static_cast<std::size_t>(size));
     survey(0);
   }
@@ -195,10 +220,11 @@ class FieldPainter {
   double at(int i) const { return ((i + 0.5) * texel_ - kFieldHalfSize) / radius_; }          // -> organ radii [1]
   std::vector<Ground>& row(int y) { return rows_[static_cast<std::size_t>(y % 3)]; }
   void survey(int y) {
-    for (int x = 0; x < size_; ++x) row(y)[static_cast<std::size_t>(x)] = groundAt(at(x), at(y), noises_);
+    for (int x = 0; x < size_; ++x) row(y)[static_cast<std::size_t>(x)] = groundAt(at(x), at(y), perineum_, noises_);
   }
 
   double radius_;                                                                             // [m]
+  bool perineum_;
   int size_;
   double texel_;                                                                              // [m]
   Noises noises_;

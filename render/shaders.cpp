@@ -74,12 +74,14 @@ layout(location = 1) in vec3 aNormal;
 layout(location = 2) in vec2 aUv;
 layout(location = 3) in vec4 aColor;      // reflectance, sky reaching it
 layout(location = 4) in vec4 aSurface;    // vessels, bumps, gloss, 1 in the lumen
+layout(location = 5) in float aCharred;   // 0 where tissue cannot be cut
 uniform mat4 uViewProjection, uShadowMatrix;
 uniform float uOpen;                      // 1 at rest, 0 when the lumen is shut
 out vec3 vPosition, vNormal, vShadow;
 out vec2 vUv;
 out vec4 vColor;
 out vec3 vSurface;
+out float vCharred;
 void main() {
   vPosition = aPosition;
   vNormal = aNormal;
@@ -87,6 +89,7 @@ void main() {
   vUv = aUv;
   vColor = vec4(aColor.rgb * aColor.rgb, aColor.a * mix(1.0, 0.35 + 0.65 * uOpen, aSurface.a));
   vSurface = aSurface.rgb;
+  vCharred = aCharred;
   gl_Position = uViewProjection * vec4(aPosition, 1.0);
 })";
 
@@ -207,6 +210,7 @@ in vec3 vPosition, vNormal, vShadow;
 in vec2 vUv;
 in vec4 vColor;
 in vec3 vSurface;
+in float vCharred;
 uniform sampler2D uSurface, uReflection;
 uniform sampler2DShadow uShadow;
 uniform vec3 uEye;
@@ -221,6 +225,10 @@ void main() {
   float lit = texture(uShadow, vShadow);
   vec3 albedo = vColor.rgb * (0.80 + 0.40 * detail.r);
   albedo = mix(albedo, vec3(0.34, 0.022, 0.030), detail.g * vSurface.r);
+  float burnt = clamp(vCharred * (0.75 + 0.5 * detail.b), 0.0, 1.0);   // blanched, then brown, then black and dry
+  albedo = mix(albedo, vec3(0.50, 0.33, 0.22), smoothstep(0.03, 0.25, burnt));
+  albedo = mix(albedo, vec3(0.13, 0.055, 0.028), smoothstep(0.25, 0.55, burnt));
+  albedo = mix(albedo, vec3(0.022, 0.017, 0.015), smoothstep(0.55, 0.95, burnt));
   float sky = vColor.a;
   vec3 wrap = vec3(0.42, 0.22, 0.18);                       // red light scatters furthest in the wall
   vec3 direct = wrapped(dot(n, kLamp), wrap) * mix(vec3(0.20, 0.07, 0.06), vec3(1.0), lit);
@@ -230,7 +238,7 @@ void main() {
   vec3 c = albedo * (direct * (0.15 + 0.85 * sky) * 1.12 + ambient * sky);
 
   float grazing = 1.0 - facing; grazing *= grazing; grazing *= grazing;
-  float gloss = vSurface.b * (0.45 + 0.75 * detail.a);
+  float gloss = vSurface.b * (0.45 + 0.75 * detail.a) * (1.0 - 0.88 * smoothstep(0.1, 0.6, burnt));
   float s = clamp(dot(film, normalize(v + kLamp)), 0.0, 1.0);
   s *= s; s *= s; s *= s; float broad = s * s;              // power 16
   s = broad * broad; s *= s; s *= s;                        // power 128

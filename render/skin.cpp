@@ -107,6 +107,13 @@ Skin buildSkin(const std::vector<std::array<int, 3>>& surface, const std::vector
 
 SkinPose::SkinPose(const Skin& skin) : points_(4 * (skin.weights.start.size() - 1)), normals_(4 * skin.normalSlots) {}
 
+float SkinPose::at(const Skin& skin, std::uint32_t row, const std::vector<float>& ofParticle) {
+  float sum = 0.0f;                                      // [1]
+  for (std::uint32_t j = skin.weights.start[row]; j < skin.weights.start[row + 1]; ++j)
+    sum += skin.weights.weight[j] * ofParticle[skin.weights.particle[j]];
+  return sum;
+}
+
 void SkinPose::update(const Skin& skin, const std::vector<Vec3>& particles) {
   particles_.resize(4 * particles.size());
   for (std::size_t i = 0; i < particles.size(); ++i)

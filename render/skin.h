@@ -10,6 +10,8 @@
 
 namespace halsted::render {
 
+inline constexpr int kCutFaceLayer = 3;      // of RenderScene::triangleLayer: between two tets, as sim/mesh.h has it
+
 /// Sparse rows of weights over particles, each adding up to 1.
 struct SkinWeights {
   std::vector<std::uint32_t> start;          // rows + 1
@@ -27,9 +29,10 @@ struct SkinCorner {
 struct Skin {
   SkinWeights weights;
   std::vector<SkinCorner> corners;
-  std::vector<std::array<std::uint32_t, 3>> triangles;   // of corners
+  std::vector<std::array<std::uint32_t, 3>> triangles;   // of corners; those of one surface triangle lie together
   std::uint32_t normalSlots = 0;
   int levels = 0;                                        // subdivisions made
+  std::size_t surfaceTriangleOf(std::size_t triangle) const { return triangle >> (2 * levels); }
 };
 
 /// Subdivides until another level would pass `triangleBudget`. Surface and layers as in RenderScene; uv per particle.
@@ -42,6 +45,8 @@ class SkinPose {
  public:
   explicit SkinPose(const Skin&);
   void update(const Skin&, const std::vector<Vec3>& particles);              // [m]
+  /// What a quantity of the particles is at a row of the weights.
+  static float at(const Skin&, std::uint32_t row, const std::vector<float>& ofParticle);   // [1] any unit
   const std::vector<float>& particles() const { return particles_; }                // [m] x, y, z, 0
   const float* point(std::uint32_t row) const { return &points_[4 * row]; }        // [m]
   const float* normal(std::uint32_t slot) const { return &normals_[4 * slot]; }    // [1]

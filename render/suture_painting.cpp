@@ -19,6 +19,7 @@ namespace halsted::render {
 namespace {
 
 constexpr std::size_t kTriangleBudget = 16000;           // tuned: twice as many cost 3 ms a frame and show no finer outline
+constexpr std::size_t kPerineumBudget = 24000;            // one subdivision of a prolapse, which fills the picture
 constexpr int kShadowSize = 1024;                        // texels
 constexpr double kHoleRadius = 0.62e-3;                  // [m] a 0.66 mm needle leaves a hole with a bruised edge
 constexpr double kHoleLift = 0.45e-3;                    // [m] toward the eye, so that the drawn wall does not hide it
@@ -30,9 +31,27 @@ FieldPlace placeOf(const RenderScene& scene) {
   Vec3 low = scene.tissueRest.front(), high = low;       // [m]
   for (const Vec3& p : scene.tissueRest) { low = low.cwiseMin(p); high = high.cwiseMax(p); }
   place.centre = 0.5 * (low + high);
-  place.centre.z() = low.z() + 0.2 * (high.z() - low.z());
+  place.perineum = scene.perineum;
+  place.centre.z() = low.z() + (scene.perineum ? 0.0 : 0.2 * (high.z() - low.z()));
   place.radius = std::max(0.25 * (high.x() - low.x() + high.y() - low.y()), 5e-3);
   return place;
+}
+
+struct DrawnInstrument {
+  Instrument shape;
+  std::array<GpuMesh, 2> mesh;                            // of its halves
+  std::array<std::vector<Vec3>, 2> shadow;                // [m]
+};
+
+DrawnInstrument drawnInstrument(ToolKind kind, const JawShape& jaws) {
+  DrawnInstrument out;
+  if (kind == ToolKind::kNone) return out;
+  out.shape = makeInstrument(kind, jaws);
+  for (int half = 0; half < 2; ++half) {
+    out.mesh[half] = uploadShape(out.shape.halves[half]);
+    out.shadow[half] = shadowTriangles(out.shape.halves[half]);
+  }
+  return out;
 }
 
 struct SuturePainting final : Painting {
@@ -65,13 +84,12 @@ struct SuturePainting final : Painting {
   std::vector<GpuMesh> stitches;
   int stitchesDrawn = 0;
   Discs holes;
-  std::array<Instrument, kHands> instruments;
-  std::array<std::array<GpuMesh, 2>, kHands> instrumentMeshes;
-  std::array<std::array<std::vector<Vec3>, 2>, kHands> instrumentShadows;   // [m]
+  std::array<std::array<DrawnInstrument, 2>, kHands> instruments;   // of each hand the first and the second
   Matrix4 lamp;
   double lampDepth;                                       // [m] that the shadow map covers
   double threadRadius;                                    // [m]
   std::size_t particles, threadNodes;
+  const DrawnInstrument& held(const RenderSnapshot& s, int hand) const { return instruments[hand][s.tools[hand].second ? 1 : 0]; }
   void drawInstruments(const RenderSnapshot&, const Program&) const;
   void drawShadows(const RenderSnapshot&) const;
   void layHoles(const RenderSnapshot&, const CameraView&);
@@ -82,12 +100,12 @@ struct SuturePainting final : Painting {
   void drawWires(const RenderSnapshot&, const View&) const;
   void drawPicture(const RenderSnapshot&, const CameraView&);
   bool hasTissue(const RenderSnapshot& s) const { return particles > 0 && s.tissue.size() == particles; }
-  bool hasThread(const RenderSnapshot& s) const { return threadNodes >= 2 && s.thread.size() == threadNodes; }
+  bool hasThread(const RenderSnapshot& s) const { return threadNodes >= 2 && s.thread.size() == threadNodes && !s.threadOnTable; }
 };
 
 SuturePainting::SuturePainting(const RenderScene& scene, const Canvas& canvas)
-    : picture(canvas), backdrop(canvas.width(), canvas.height()), casters(scene.surface), rodsAsLines(scene.rods),
-      needleReach(scene.needle.radius + scene.needle.wireRadius), tissue(scene, kTriangleBudget), threadTube(makeThread(scene.threadNodes)),
+    : picture(canvas), backdrop(canvas.width(), canvas.height()), casters(scene.surface.begin(), scene.surface.begin() + static_cast<std::ptrdiff_t>(boundaryTriangles(scene))), rodsAsLines(scene.rods),
+      needleReach(scene.needle.radius + scene.needle.wireRadius), tissue(scene, scene.perineum ? kPerineumBudget : kTriangleBudget), threadTube(makeThread(scene.threadNodes)),
       thread(uploadTube(threadTube)), needle(uploadTube(makeNeedle(scene.needle))),
       threadShadow(uploadOtherIndices(threadShadowIndices(scene.threadNodes))), holes(scene.maxPunctures),
       threadRadius(scene.threadRadius), particles(scene.tissueRest.size()),
@@ -105,11 +123,8 @@ SuturePainting::SuturePainting(const RenderScene& scene, const Canvas& canvas)
   for (const CapsuleShape& rod : scene.rods) addRod(rodShape, rod);
   rods = uploadShape(rodShape);
   for (int hand = 0; hand < kHands; ++hand) {
-    instruments[hand] = makeInstrument(scene.tools[hand], scene.jaws[hand]);
-    for (int half = 0; half < 2; ++half) {
-      instrumentMeshes[hand][half] = uploadShape(instruments[hand].halves[half]);
-      instrumentShadows[hand][half] = shadowTriangles(instruments[hand].halves[half]);
-    }
+    instruments[hand][0] = drawnInstrument(scene.tools[hand], scene.jaws[hand]);
+    instruments[hand][1] = drawnInstrument(scene.secondTools[hand], scene.secondJaws[hand]);
   }
   const Vec3 middle = 0.5 * (wound.centre + Vec3(wound.centre.x(), wound.centre.y(), 0.0));   // [m] between skin and rim
   const double lampRadius = std::max(0.085, 4.0 * wound.radius);   // [m]
@@ -124,8 +139,9 @@ void SuturePainting::drawInstruments(const RenderSnapshot& snapshot, const Progr
   for (int hand = 0; hand < kHands; ++hand)
     for (int half = 0; half < 2; ++half) {
       const ToolView& tool = snapshot.tools[hand];
-      place(program, halfPose(instruments[hand], half, tool.jaw, tool.pose));
-      instrumentMeshes[hand][half].draw();
+      const DrawnInstrument& instrument = held(snapshot, hand);
+      place(program, halfPose(instrument.shape, half, tool.jaw, tool.pose));
+      instrument.mesh[half].draw();
     }
 }
 
@@ -161,7 +177,7 @@ void SuturePainting::drawShadows(const RenderSnapshot& snapshot) const {
   use(tubeDepth, view);
   if (hasThread(snapshot)) thread.drawAs(threadShadow);
   place(tubeDepth, snapshot.needle);
-  needle.draw();
+  if (!snapshot.threadOnTable) needle.draw();
   shadow.end();
 }
 
@@ -188,13 +204,14 @@ void SuturePainting::markShadows(const RenderSnapshot& snapshot) {
     for (const auto& t : casters) shadowCells->add(snapshot.tissue[t[0]], snapshot.tissue[t[1]], snapshot.tissue[t[2]]);
   if (hasThread(snapshot))
     for (std::size_t i = 1; i < threadNodes; ++i) shadowCells->add(snapshot.thread[i - 1], snapshot.thread[i], snapshot.thread[i]);
-  shadowCells->add(snapshot.needle.position, needleReach);
+  if (!snapshot.threadOnTable) shadowCells->add(snapshot.needle.position, needleReach);
   for (const CapsuleShape& rod : rodsAsLines)
     for (double t = 0.0; t <= 1.0; t += 0.05) shadowCells->add(rod.a + t * (rod.b - rod.a), 1.5 * rod.radius);
   for (int hand = 0; hand < kHands; ++hand)
     for (int half = 0; half < 2; ++half) {
-      const Matrix4 stand = matrixOf(halfPose(instruments[hand], half, snapshot.tools[hand].jaw, snapshot.tools[hand].pose));
-      shadowCells->add(instrumentShadows[hand][half], stand.cast<double>());
+      const DrawnInstrument& instrument = held(snapshot, hand);
+      const Matrix4 stand = matrixOf(halfPose(instrument.shape, half, snapshot.tools[hand].jaw, snapshot.tools[hand].pose));
+      shadowCells->add(instrument.shadow[half], stand.cast<double>());
     }
 }
 
@@ -214,7 +231,7 @@ void SuturePainting::drawWires(const RenderSnapshot& snapshot, const View& view)
   glDepthMask(GL_TRUE);
   use(needleLook, view);
   place(needleLook, snapshot.needle);
-  needle.draw();
+  if (!snapshot.threadOnTable) needle.draw();
   use(threadLook, view);
   glUniform3fv(threadLook.tint, 1, kThreadTint);
   if (hasThread(snapshot)) thread.draw();
@@ -242,7 +259,7 @@ void SuturePainting::drawPicture(const RenderSnapshot& snapshot, const CameraVie
 }
 
 void SuturePainting::draw(const RenderSnapshot& snapshot, const CameraView& camera, bool) {
-  if (hasTissue(snapshot)) tissue.update(snapshot.tissue);
+  if (hasTissue(snapshot)) tissue.update(snapshot);
   if (hasThread(snapshot)) {
     updateThread(snapshot.thread, snapshot.twist, threadRadius, threadTube);
     thread.stream(threadTube.vertices.data(), threadTube.vertices.size() * sizeof(TubeVertex));

@@ -3,6 +3,7 @@
 #include "scenes/input_text.h"
 #include "scenes/mesh_readers/surface.h"
 #include "scenes/procedural_colon.h"
+#include "scenes/prolapse.h"
 #include "scenes/scene.h"
 #include "scenes/tube.h"
 #include "scenes/two_ends.h"
@@ -16,6 +17,7 @@ TetMesh buildWall(const SceneFile& scene) {
   const bool real = !anatomy.mesh.empty();
   const Surface surface = real ? readSurface(anatomy.mesh, anatomy.scale) : Surface{};
   try {
+    if (anatomy.layout == "prolapse") return prolapse(anatomy);
     const TetMesh one = real ? tubeSegment(surface, anatomy) : proceduralColon(anatomy);
     if (anatomy.layout == "two_ends") return twoEnds(one, anatomy.gap);
     return anatomy.layout == "end_to_end" ? endToEnd(one, anatomy.gap) : one;

@@ -36,7 +36,7 @@ TissuePlace placeOnWall(const Model& m, const WallSpot& spot) {
   const Vec3 direction = cosine(angle) * o.right + sine(angle) * o.up, from = o.centre - spot.depth * o.axis;
   Hit best;
   for (std::size_t f = 0; f < m.surface.triangles.size(); ++f)
-    if (m.mesh.triangleLayer[f] == 0 && m.bowels.of[m.surface.triangles[f][0]] == spot.bowel) intersect(m, static_cast<int>(f), from, direction, best);
+    if (m.mesh.triangleLayer[f] == spot.layer && m.bowels.of[m.surface.triangles[f][0]] == spot.bowel) intersect(m, static_cast<int>(f), from, direction, best);
   return best.place;
 }
 
@@ -50,6 +50,12 @@ Vec3 normalOf(const Model& m, const State& s, const TissuePlace& p) {
 
 bool planPlaces(const Model& m, const ExpertAction& a, BitePlan& plan) {
   if (a.width > 1.8 * m.strand.needle.radius) return false;
+  if (a.across) {                              // from the mucosa of the first wall to that of the second, which stands inside it
+    plan.entry = placeOnWall(m, {0, a.angleDegrees, a.depth, kMucosa});
+    plan.exit = placeOnWall(m, {1, a.angleDegrees, a.depth, kMucosa});
+    plan.middleDegrees = a.angleDegrees;
+    return plan.entry.triangle >= 0 && plan.exit.triangle >= 0;
+  }
   plan.entry = placeOnWall(m, {a.bowel, a.angleDegrees, a.depth});
   if (plan.entry.triangle < 0) return false;
   if (a.exitDepth > 0.0) {                     // toward the edge or away from it
@@ -73,12 +79,13 @@ bool planPlaces(const Model& m, const ExpertAction& a, BitePlan& plan) {
 void planCircle(const Model& m, const State& s, const ExpertAction& a, double dip, BitePlan& plan) {
   const Vec3 entry = positionOf(m, s, plan.entry), exit = positionOf(m, s, plan.exit);
   plan.along = (exit - entry).normalized();
-  Vec3 out = normalOf(m, s, plan.entry) + normalOf(m, s, plan.exit);
+  // Through two walls, one in the other, the needle passes below both edges: both mucosae face away from each other.
+  Vec3 out = a.across ? m.bowels.opening[0].axis : Vec3(normalOf(m, s, plan.entry) + normalOf(m, s, plan.exit));
   out = (out - out.dot(plan.along) * plan.along).normalized();
   const double lean = a.tilt * kPi / 180.0;                      // [rad]
   plan.out = lean == 0.0 ? out : Vec3(cosine(lean) * out + sine(lean) * plan.along.cross(out));
   plan.axis = plan.along.cross(plan.out);
-  const double width = a.exitDepth > 0.0 ? std::fabs(a.depth - a.exitDepth) : a.width;           // [m]
+  const double width = a.across ? (exit - entry).norm() : a.exitDepth > 0.0 ? std::fabs(a.depth - a.exitDepth) : a.width;           // [m]
   const double r = m.strand.needle.radius, half = 0.5 * std::fmin(width, (exit - entry).norm());
   plan.centre = 0.5 * (entry + exit) + (std::sqrt(r * r - half * half) - (dip + a.sink)) * plan.out;
   plan.exitAngle = arcSine(half / r);

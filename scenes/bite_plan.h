@@ -10,8 +10,10 @@ struct TissuePlace {
   std::array<double, 3> weight{};              // [1]
 };
 
-/// A direction and a depth on one of the scene's bowels.
-struct WallSpot { int bowel = 0; double angleDegrees = 0.0, depth = 0.0; };   // [deg] round its opening, [m] behind its rim
+inline constexpr int kSerosa = 0, kMucosa = 1;   // of TetMesh::triangleLayer
+
+/// A direction and a depth on one of the scene's bowels, on its serosa or its mucosa.
+struct WallSpot { int bowel = 0; double angleDegrees = 0.0, depth = 0.0; int layer = kSerosa; };   // [deg] round its opening, [m] behind its rim
 
 /// Outermost wall there, in the anatomy at rest. triangle -1: there is none.
 TissuePlace placeOnWall(const Model&, const WallSpot&);

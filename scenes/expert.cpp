@@ -27,6 +27,8 @@ constexpr NumberKey kSutureNumbers[] = {
     {"tension_n", &ExpertAction::tension, 0.05, 20.0, 1.0},         {"limit_s", &ExpertAction::seconds, 0.01, 600.0, 1.0},
     {"tail_mm", &ExpertAction::tail, 10.0, 120.0, 1e-3},
     {"long_end_mm", &ExpertAction::longEnd, 30.0, 120.0, 1e-3},
+    {"from_deg", &ExpertAction::angleDegrees, -360.0, 360.0, 1.0},  {"height_mm", &ExpertAction::height, 1.0, 100.0, 1e-3},
+    {"speed_mm_s", &ExpertAction::speed, 0.1, 50.0, 1e-3},
 };
 constexpr NumberKey kNeedleNumbers[] = {
     {"angle_deg", &ExpertAction::angleDegrees, 5.0, 90.0, 1.0},     {"depth_mm", &ExpertAction::depth, 0.5, 100.0, 1e-3},
@@ -34,7 +36,8 @@ constexpr NumberKey kNeedleNumbers[] = {
     {"period_s", &ExpertAction::period, 0.2, 20.0, 1.0},            {"speed_mm_s", &ExpertAction::speed, 0.1, 200.0, 1e-3},
     {"distance_mm", &ExpertAction::distance, 1.0, 60.0, 1e-3},      {"limit_s", &ExpertAction::seconds, 0.01, 600.0, 1.0},
 };
-constexpr const char* kSutureKinds[] = {"bite", "draw", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go", "fresh_thread", "hold"};
+constexpr const char* kSutureKinds[] = {"bite", "draw", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go", "fresh_thread", "change_tools", "hold",
+                                        "hold_fold", "cut_ring", "take_away"};
 constexpr const char* kNeedleKinds[] = {"find", "press", "insert", "twirl", "lift_thrust", "withdraw"};
 
 bool isOneOf(std::span<const char* const> kinds, const std::string& text) {
@@ -57,6 +60,12 @@ int readBowel(const toml::node& node, const std::string& where) {
   const double number = requireNumber(node, where);              // [1]
   if (number != 1.0 && number != 2.0) throw InputError(where + ": must be 1 or 2");
   return number == 1.0 ? 0 : 1;
+}
+
+int readWall(const toml::node& node, const std::string& where) {
+  const std::string text = requireText(node, where);
+  if (text != "outer" && text != "inner") throw InputError(where + ": must be \"outer\" or \"inner\"");
+  return text == "outer" ? 0 : 1;
 }
 
 bool readTruth(const toml::node& node, const std::string& where) {
@@ -102,7 +111,9 @@ ExpertAction readAction(const toml::table& table, const std::string& origin) {
     if (needle && key == "point") action.point = requireText(node, where);
     else if (needle && key == "cycles") action.cycles = readCycles(node, where);
     else if (!needle && key == "bowel") action.bowel = readBowel(node, where);
+    else if (!needle && key == "wall") action.bowel = readWall(node, where);
     else if (!needle && key == "counter_clockwise") action.counterClockwise = readTruth(node, where);
+    else if (!needle && key == "across") action.across = readTruth(node, where);
     else if (!needle && key == "through") action.through = readTruth(node, where);
     else if (!needle && key == "tie") action.tie = readTie(node, where);
     else readNumber(node, where, key, action);
@@ -123,17 +134,19 @@ std::vector<double> readPlaces(const toml::node& node, const std::string& where)
   return places;
 }
 
-/// The actions as written, once for each place; a fresh thread is asked for between them and not after the last.
+/// The actions of one stitch, once for each place: all that come after the instruments were changed for sewing, or all there are. A
+/// fresh thread at their end is asked for between them and not after the last.
 void repeatAt(const std::vector<double>& places, const std::string& origin, std::vector<ExpertAction>& actions) {   // [deg]
-  const std::vector<ExpertAction> once = actions;
-  if (places.size() * once.size() > kMaxActions) throw InputError(origin + ": stitch_at_deg: more than 1000 actions");
-  actions.clear();
-  for (std::size_t i = 0; i < places.size(); ++i)
+  const auto changed = std::find_if(actions.rbegin(), actions.rend(), [](const ExpertAction& a) { return a.kind == "change_tools"; });
+  const std::vector<ExpertAction> once(changed.base(), actions.end());
+  if (actions.size() + places.size() * once.size() > kMaxActions) throw InputError(origin + ": stitch_at_deg: more than 1000 actions");
+  actions.erase(changed.base(), actions.end());
+  for (double place : places)
     for (ExpertAction action : once) {
-      if (action.kind == "fresh_thread" && i + 1 == places.size()) continue;
-      if (action.kind == "bite") action.angleDegrees += action.bowel == 0 ? places[i] : -places[i];
+      if (action.kind == "bite") action.angleDegrees += action.bowel == 0 ? place : -place;
       actions.push_back(action);
     }
+  if (actions.back().kind == "fresh_thread" && once.size() > 1) actions.pop_back();
 }
 
 }  // namespace

@@ -15,17 +15,21 @@ namespace halsted::scenes {
 
 struct ExpertAction {
   std::string kind;                            // a suture's: "bite", "draw", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go",
-                                               // "fresh_thread", "hold": see scenes/expert_run.cpp
+                                               // "fresh_thread", "change_tools", "hold": see scenes/expert_run.cpp
+                                               // an excision's: "hold_fold", "cut_ring", "take_away": see scenes/expert_excise.cpp
                                                // a needle's: "find", "press", "insert", "twirl", "lift_thrust", "withdraw", "hold"
-  double angleDegrees = 0.0;                   // angle_deg [deg] round the opening, 0 at +x, counter-clockwise seen by the surgeon; of a needle
+  double angleDegrees = 0.0;                   // angle_deg [deg] round the opening, 0 at +x, counter-clockwise seen by the surgeon; from_deg: where a cut begins; of a needle
                                                // to the skin, 0: as the point's textbook says
-  int bowel = 0;                               // bowel: 1 or 2 in the file, the left and the right one of two ends
-  double depth = 5e-3;                         // depth_mm [m] entry from the rim; of a needle's tip, 0: the textbook's; of a pressing finger
+  int bowel = 0;                               // bowel: 1 or 2 in the file, the left and the right one of two ends; wall: "outer" or "inner"
+  double height = 0.0;                         // height_mm [m] of a cut over the base; 0: along the planned line
+  double depth = 5e-3;                         // depth_mm [m] entry from the rim; of a needle's tip, 0: the textbook's; of a pressing finger; of the clamp over the fold;
+                                               // of the pen's tip in the wall at most
   double exitDepth = 0.0;                      // exit_depth_mm [m] a bite across the edge comes out here, at the same angle; 0: along the rim
   bool counterClockwise = false;               // counter_clockwise: the bite runs the other way along the rim
+  bool across = false;                         // across: in one go through both walls, one in the other, mucosa to mucosa
   bool through = false;                        // through: outside in and inside out, the needle crosses the lumen between; else it stays in the wall
   double sink = 0.0;                           // sink_mm [m] deeper than the places ask: through the mucosa and back
-  double tilt = 0.0;                           // tilt_deg [deg] of the needle's plane, lifts the driver's shaft off the wall
+  double tilt = 0.0;                           // tilt_deg [deg] of the needle's plane, lifts the driver's shaft off the wall; of the pen toward the surgeon
   double width = 6e-3;                         // width_mm [m] entry to exit, clockwise along the rim
   double pull = 0.03;                          // pull_mm [m] of thread drawn through after the bite, or by "draw"
   double tail = 0.0;                           // tail_mm [m] of thread between the stitch and the jaws that take it; 0: where it is clear and near
@@ -38,12 +42,12 @@ struct ExpertAction {
   double twirlDegrees = 150.0;                 // twirl_deg [deg] from end to end
   double lift = 5e-3;                          // lift_mm [m] up from the depth and down again
   double period = 1.0;                         // period_s [s] of a twirl or lift
-  double speed = 5e-3;                         // speed_mm_s [m/s] in or out
+  double speed = 5e-3;                         // speed_mm_s [m/s] in or out; of the pen along the wall
   double distance = 25e-3;                     // distance_mm [m] of the pressing finger from the point
   int line = 0;                                // in the file, for messages
 };
 
-/// `stitch_at_deg = [0, 20, -20]` in a file: its actions are done once for each, the number added to every angle_deg of the left (or only)
+/// `stitch_at_deg = [0, 20, -20]` in a file: its actions (those after the last "change_tools", if there is one) are done once for each, the number added to every angle_deg of the left (or only)
 /// bowel and taken from that of the right one, which is seen from its other side: 0 is where the actions themselves say.
 struct ExpertScript {
   std::string scene;                           // folder name of the scene it is for

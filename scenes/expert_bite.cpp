@@ -111,6 +111,7 @@ bool astray(const Scene& s) {
   const Hole* exit = exitHole(s.state, s.memory.bite);
   if (exit == nullptr || exit == s.state.strand.holes.data()) return false;
   if (s.action.through) return exits(s) == 1 && !onMucosa(s.model, *exit);
+  if (s.action.across) return exits(s) == 1 && onMucosa(s.model, *exit);        // out of the first wall on the side on which it went in
   const std::span<const Vec3> rest = s.model.mesh.vertices;
   return (holePoint(s.model, *exit, rest) - holePoint(s.model, *(exit - 1), rest)).norm() < kPerforated * s.action.width;
 }
@@ -201,7 +202,7 @@ void drive(const Scene& s, std::string& failure) {
   } else if (e.phase == kTouch) {
     if (moveHand(s, kRight, toolFor(s, kRight, onCircle(s, Vec3::Zero())), 0.03) && s.inPhase > 0.5) nextPhase(s);
   } else {
-    const bool out = exits(s) >= (s.action.through ? 2 : 1) && !tipInWall(s.state);
+    const bool out = exits(s) >= (s.action.through || s.action.across ? 2 : 1) && !tipInWall(s.state);
     const double most = e.plan.exitAngle + (out ? kLeadOut : kLeadOutMost);
     turnOrPress(s, most);
     moveHand(s, kRight, toolFor(s, kRight, onPressedCircle(s)), 0.05);

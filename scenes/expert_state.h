@@ -1,6 +1,7 @@
 #pragma once
 /// The memory of a scripted surgeon (scenes/expert.h). Private to scenes/.
 #include "scenes/bite_plan.h"
+#include "scenes/cut_ring.h"
 #include "scenes/expert.h"
 #include "scenes/hand_motion.h"
 #include "scenes/knot_plan.h"
@@ -14,6 +15,14 @@ struct NeedlePlan {
   Quat orientation = Quat::Identity();         // of the tool, not twirled
   double depth = 0.0;                          // [m] of the tip past `entry`
   double twist = 0.0;                          // [rad]
+};
+
+/// A pen on its way round a wall.
+struct CutCourse {
+  CutRing ring;
+  int first = 0, done = 0;                     // columns: where it began; parted since, one after the other
+  double quiet = 0.0;                          // [s] since current last flowed
+  bool lifted = false;                         // on its way out of the wall, to come down anew
 };
 
 struct ExpertState {
@@ -44,7 +53,9 @@ struct ExpertState {
   KnotPlan knot;
   Command spoken;                              // to be said
   std::int32_t handedBefore = 0;               // threads, before this one was asked for
+  std::int32_t secondBefore = 0;               // whether a hand held its second instrument, before the change
   NeedlePlan needle;
+  CutCourse cut;
 };
 
 /// What a phase may look at, and its clock.
@@ -72,6 +83,14 @@ bool runCrossed(const Scene&, std::string& failure);
 bool runLetGo(const Scene&);
 /// Both hands let go and go aside; the assistant is asked for a new thread and loads the driver with it.
 bool runFreshThread(const Scene&, std::string& failure);
+/// Both hands let go and go aside; the assistant changes the instrument of every hand that has a second one.
+bool runChangeTools(const Scene&, std::string& failure);
+/// The left clamp takes the fold of a prolapse and draws it toward the surgeon until it is felt.
+bool runHoldFold(const Scene&, std::string& failure);
+/// The right pen goes once round a wall, to and fro wherever it has not parted yet.
+bool runCutRing(const Scene&, std::string& failure);
+/// The left clamp carries off what has come free, and lets go of it.
+bool runTakeAway(const Scene&, std::string& failure);
 /// Every action of a needle. Returns true when it is finished.
 bool runNeedling(const Scene&, std::string& failure);
 /// Where both tools of a needling scene start.

@@ -30,7 +30,7 @@ const Vec3 kDrawWay = Vec3(0.5, 0.6, 0.6).normalized();          // [1] of the d
 /// Distance of a place on the thread from the wall and from the rest of the thread: jaws that close there take hold of nothing else.  [m]
 double clearance(const Scene& s, double coordinate) {
   const Vec3 p = strandPoint(s.model.strand, s.state.strand, coordinate);
-  double clear = (p - s.state.tissue.position[nearestVertex(s.model.surface, s.state.tissue.position, p)]).norm();   // [m]
+  double clear = (p - s.state.tissue.position[nearestVertex(s.model.surface, {s.state.tissue.position, s.state.tissue.gone}, p)]).norm();   // [m]
   for (int i = 0; i < s.model.strand.nodes; ++i) {
     if (std::fabs(s.model.strand.place[i] - coordinate) < kSamePlace) continue;
     clear = std::fmin(clear, (p - s.state.strand.position[i]).norm());

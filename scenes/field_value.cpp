@@ -16,10 +16,13 @@ constexpr Names<TissueSolver> kSolvers = {{{"projective", TissueSolver::kProject
                                            {"xpbd", TissueSolver::kXpbd},
                                            {"shape_matching", TissueSolver::kShapeMatching}}};
 constexpr std::array<std::pair<const char*, ThreadAssist>, 2> kAssists = {{{"none", ThreadAssist::kNone}, {"knot", ThreadAssist::kKnot}}};
-constexpr std::array<std::pair<const char*, ToolKind>, 4> kTools = {{{"needle_driver", ToolKind::kNeedleDriver},
+constexpr std::array<std::pair<const char*, ToolKind>, 7> kTools = {{{"needle_driver", ToolKind::kNeedleDriver},
                                                                      {"forceps", ToolKind::kForceps},
                                                                      {"acupuncture_needle", ToolKind::kAcupunctureNeedle},
-                                                                     {"finger", ToolKind::kFinger}}};
+                                                                     {"finger", ToolKind::kFinger},
+                                                                     {"electrocautery", ToolKind::kElectrocautery},
+                                                                     {"allis", ToolKind::kAllis},
+                                                                     {"none", ToolKind::kNone}}};
 constexpr std::array<std::pair<const char*, ModelKind>, 2> kModels = {{{"suture", ModelKind::kSuture}, {"needling", ModelKind::kNeedling}}};
 constexpr std::array<std::pair<const char*, NetProfile>, 2> kProfiles = {
     {{"inverse_distance", NetProfile::kInverseDistance}, {"cone", NetProfile::kCone}}};

@@ -1,6 +1,7 @@
 #include "scenes/scene_checks.h"
 
 #include "scenes/input_text.h"
+#include "scenes/prolapse.h"
 #include "scenes/tube_segment.h"
 
 namespace halsted::scenes {
@@ -17,11 +18,28 @@ std::string placeOf(const std::string& origin, const SettingOrigins& origins, st
   return quoted(origin) + ": " + *keys.begin();
 }
 
+/// Base, cuttable band and specimen one after the other; a lumen within both walls.
+void checkProlapse(const AnatomyParams& anatomy, const std::string& origin, const SettingOrigins& origins) {
+  if (!anatomy.mesh.empty())
+    throw InputError(placeOf(origin, origins, {"anatomy.mesh", "anatomy.layout"}) + ": a prolapse is made without a mesh");
+  if (2.0 * anatomy.wall + anatomy.gap > kThickestShare * anatomy.radius)
+    throw InputError(placeOf(origin, origins, {"anatomy.gap", "anatomy.wall", "anatomy.radius"}) +
+                     ": two walls and the gap between them leave no lumen in this radius");
+  if (anatomy.cutHeight - anatomy.cutBand < 2.0 * kCutRow)
+    throw InputError(placeOf(origin, origins, {"anatomy.cut_height", "anatomy.cut_band"}) + ": cut_band reaches down to the base");
+  if (anatomy.length - foldHeight(anatomy) - anatomy.cutHeight - anatomy.cutBand < kLeastSpecimen)
+    throw InputError(placeOf(origin, origins, {"anatomy.length", "anatomy.cut_height", "anatomy.cut_band"}) +
+                     ": too short: nothing is left to cut off beyond cut_height and cut_band");
+  if (2 * anatomy.around * (anatomy.along + 2 * static_cast<int>(2.0 * anatomy.cutBand / kCutRow) + 8) > kMostParticles)
+    throw InputError(placeOf(origin, origins, {"anatomy.cut_band", "anatomy.around"}) + ": more than " + std::to_string(kMostParticles) + " particles");
+}
+
 void checkAnatomy(const AnatomyParams& anatomy, const std::string& origin, const SettingOrigins& origins) {
-  if (anatomy.layout != "one_end" && anatomy.layout != "two_ends" && anatomy.layout != "end_to_end")
+  if (anatomy.layout != "one_end" && anatomy.layout != "two_ends" && anatomy.layout != "end_to_end" && anatomy.layout != "prolapse")
     throw InputError(placeOf(origin, origins, {"anatomy.layout"}) + ": '" + quoted(anatomy.layout) +
-                     "' is not one of one_end, two_ends, end_to_end");
-  const int ends = anatomy.layout == "one_end" ? 1 : 2;
+                     "' is not one of one_end, two_ends, end_to_end, prolapse");
+  if (anatomy.layout == "prolapse") checkProlapse(anatomy, origin, origins);
+  const int ends = anatomy.layout == "one_end" || anatomy.layout == "prolapse" ? 1 : 2;
   if (2 * ends * anatomy.around * anatomy.along > kMostParticles)
     throw InputError(placeOf(origin, origins, {"anatomy.around", "anatomy.along"}) + ": 2 x around x along must be at most " +
                      std::to_string(kMostParticles) + " particles");
@@ -46,6 +64,9 @@ void checkSuture(const SimParams& params, const std::string& origin, const Setti
     throw InputError(placeOf(origin, origins, {"thread.assist", "thread.knots"}) + ": needs thread.knots = true");
   if (params.thread.spare > 0 && !params.thread.knots)
     throw InputError(placeOf(origin, origins, {"thread.spare", "thread.knots"}) + ": needs thread.knots = true: only thread that meets itself is tied");
+  for (int hand = 0; hand < kHands; ++hand)
+    if (params.tools[hand].kind == ToolKind::kNone)
+      throw InputError(placeOf(origin, origins, {hand == kLeft ? "tool.left.kind" : "tool.right.kind"}) + ": a hand holds an instrument; only a second may be none");
   if (params.anvil.radius > 0.0 && params.anvil.from == params.anvil.to)
     throw InputError(placeOf(origin, origins, {"anvil.to", "anvil.from"}) + ": the anvil has no length");
 }

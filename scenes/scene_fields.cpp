@@ -94,6 +94,17 @@ void addTool(const std::string& table, ToolParams& tool, Fields& fields) {
   });
 }
 
+void addCautery(CauteryParams& cautery, Fields& fields) {
+  fields.insert(fields.end(), {
+      {"cautery.power", &cautery.power, 0, 400, "W"},
+      {"cautery.cutting_energy", &cautery.cuttingEnergy, 1e6, 1e11, "J/m^3"},
+      {"cautery.tip_radius", &cautery.tipRadius, 0.1e-3, 5e-3, "m"},
+      {"cautery.reach", &cautery.reach, 0.05e-3, 10e-3, "m"},
+      {"cautery.take_away", &cautery.takeAway, 1e-3, 1, "m"},
+      {"cautery.crumb", &cautery.crumb, 0, 1e-6, "m^3"},
+  });
+}
+
 void addAnatomy(SimParams& params, Fields& fields) {
   AnatomyParams& anatomy = params.anatomy;
   fields.insert(fields.end(), {
@@ -108,6 +119,8 @@ void addAnatomy(SimParams& params, Fields& fields) {
       {"anatomy.along", &anatomy.along, 3, 256, ""},
       {"anatomy.layout", &anatomy.layout, 0, 40, "characters"},
       {"anatomy.gap", &anatomy.gap, 1e-3, 0.1, "m"},
+      {"anatomy.cut_height", &anatomy.cutHeight, 2e-3, 0.1, "m"},
+      {"anatomy.cut_band", &anatomy.cutBand, 1e-3, 20e-3, "m"},
       {"anvil.from", &params.anvil.from, -1, 1, "m"},
       {"anvil.to", &params.anvil.to, -1, 1, "m"},
       {"anvil.radius", &params.anvil.radius, 0, 0.05, "m"},
@@ -123,6 +136,9 @@ std::vector<SceneField> sceneFields(SceneFile& scene) {
   addStrand(scene.params, fields);
   addTool("tool.left", scene.params.tools[kLeft], fields);
   addTool("tool.right", scene.params.tools[kRight], fields);
+  addTool("tool.left.second", scene.params.second[kLeft], fields);
+  addTool("tool.right.second", scene.params.second[kRight], fields);
+  addCautery(scene.params.cautery, fields);
   addAnatomy(scene.params, fields);
   addNeedling(scene, fields);
   return fields;

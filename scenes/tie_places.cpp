@@ -6,6 +6,7 @@
 #include "sim/portable_math.h"
 #include "sim/strand/strand.h"
 #include "sim/suture/holes.h"
+#include "sim/tools/instrument.h"
 
 namespace halsted::scenes {
 namespace {
@@ -111,7 +112,7 @@ double wholeTurns(const Scene& s) { return 2.0 * kPi * s.memory.knot.throws[s.me
 Pose keepTurn(const Scene& s, int hand, const Vec3& position) { return {position, s.memory.hand[hand].command.orientation}; }
 
 bool loopOnJaws(const Scene& s) {
-  const double near = 2.0 * s.model.params.tools[kRight].jawRadius;   // [m]
+  const double near = 2.0 * toolOf(s.model, s.state, kRight).jawRadius;   // [m]
   for (int i = threadSpot(s.model.strand, longHole(s).coordinate).node + 1; i < s.model.strand.nodes; ++i) {
     const Vec3 p = s.state.tools[kRight].proxy.inverseApply(strand(s).position[i]);
     if (p.z() > 0.0 && p.z() < kJaws && p.head<2>().norm() < near) return true;

@@ -13,17 +13,7 @@ constexpr int kMendRounds = 40;
 constexpr double kLeanStep = 0.1;       // [1] of the way to the axis per round
 
 /// Corner bits: 1 = next column, 2 = next row, 4 = inner layer. These axes are right-handed, so the even permutations are positive.
-constexpr int kKuhnTets[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
-
-void addTets(const TubeGrid& grid, TetMesh& mesh) {
-  for (int row = 0; row + 1 < grid.along; ++row) {
-    for (int column = 0; column < grid.around; ++column) {
-      std::array<int, 8> corner;
-      for (int c = 0; c < 8; ++c) corner[c] = wallVertex(grid, row + (c >> 1 & 1), column + (c & 1), c >> 2);
-      for (const auto& tet : kKuhnTets) mesh.tets.push_back({corner[tet[0]], corner[tet[1]], corner[tet[2]], corner[tet[3]]});
-    }
-  }
-}
+constexpr int kKuhnTets[kTetsPerCell][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
 
 /// Inward unit direction per grid vertex: central differences of the grid; in the plane of the cut at both ends, so that the cuts
 /// stay flat.
@@ -102,6 +92,16 @@ void addSurface(const TubeGrid& grid, TetMesh& mesh) {
 
 }  // namespace
 
+void addWallTets(const TubeGrid& grid, TetMesh& mesh) {
+  for (int row = 0; row + 1 < grid.along; ++row) {
+    for (int column = 0; column < grid.around; ++column) {
+      std::array<int, 8> corner;
+      for (int c = 0; c < 8; ++c) corner[c] = wallVertex(grid, row + (c >> 1 & 1), column + (c & 1), c >> 2);
+      for (const auto& tet : kKuhnTets) mesh.tets.push_back({corner[tet[0]], corner[tet[1]], corner[tet[2]], corner[tet[3]]});
+    }
+  }
+}
+
 double tetQuality(const TetMesh& mesh, int tet) {
   const auto& corners = mesh.tets[tet];
   double squares = 0.0;  // [m^2]
@@ -113,7 +113,7 @@ double tetQuality(const TetMesh& mesh, int tet) {
 
 TetMesh wallMesh(const TubeGrid& grid, double wall) {
   TetMesh mesh;
-  addTets(grid, mesh);
+  addWallTets(grid, mesh);
   std::vector<Vec3> directions = inwardNormals(grid);
   int bad = 0;
   for (int round = 0; round < kMendRounds; ++round) {

@@ -20,6 +20,10 @@ struct TubeGrid {
 /// Vertex of the finished mesh: layer 0 is the outer wall, 1 the inner. Rows are slowest, which keeps the stiffness matrix banded.
 inline int wallVertex(const TubeGrid& grid, int row, int column, int layer) { return 2 * grid.at(row, column) + layer; }
 
+/// The cells' tets alone, for a mesh whose vertices stand as `wallVertex` numbers them: kTetsPerCell for each, by row and column.
+inline constexpr int kTetsPerCell = 6;
+void addWallTets(const TubeGrid&, TetMesh&);
+
 /// The wall as six tets a cell, `wall` thick along the inward normals. Where the normals of a tight fold would turn a tet inside out,
 /// they lean toward the axis until none is. Throws InputError when even that leaves a tet without volume.
 TetMesh wallMesh(const TubeGrid&, double wall);  // wall [m]

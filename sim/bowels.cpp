@@ -10,8 +10,13 @@ int rootOf(std::vector<int>& parent, int v) {
   return v;
 }
 
-/// Numbers the connected pieces in the order of their first vertex.
+/// The mesh's own word, else the connected pieces in the order of their first vertex.
 void numberPieces(const TetMesh& mesh, Bowels& b) {
+  if (!mesh.bowel.empty()) {
+    b.of = mesh.bowel;
+    for (int bowel : b.of) b.count = bowel >= b.count ? bowel + 1 : b.count;
+    return;
+  }
   std::vector<int> parent(mesh.vertices.size());
   std::iota(parent.begin(), parent.end(), 0);
   for (const auto& tet : mesh.tets) {

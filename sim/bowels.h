@@ -1,6 +1,6 @@
 #pragma once
 /// Which bowel of the scene each vertex belongs to, and its rim: one tube has one, two ends to be joined have two. A bowel is a connected
-/// piece of the mesh; its rim is the part of `TetMesh::rim` that lies on it. Built at load time, constant afterwards.
+/// piece of the mesh, or what `TetMesh::bowel` says; its rim is the part of `TetMesh::rim` that lies on it. Built at load time, constant afterwards.
 #include <span>
 #include <vector>
 

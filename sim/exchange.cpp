@@ -24,8 +24,13 @@ const char* name(EventKind kind) {
     case EventKind::kStitchFinished: return "stitch finished";
     case EventKind::kThreadHanded: return "fresh thread handed";
     case EventKind::kThreadRefused: return "no thread handed";
+    case EventKind::kInstrumentChanged: return "instrument changed";
+    case EventKind::kInstrumentRefused: return "instrument not changed";
     case EventKind::kThrowLost: return "throw lost";
     case EventKind::kLayerPunctured: return "layer punctured";
+    case EventKind::kTissueCut: return "tissue cut";
+    case EventKind::kPieceFree: return "piece free";
+    case EventKind::kPieceTaken: return "piece taken away";
   }
   return "unknown event";
 }
@@ -36,6 +41,9 @@ const char* name(ToolKind kind) {
     case ToolKind::kForceps: return "forceps";
     case ToolKind::kAcupunctureNeedle: return "acupuncture_needle";
     case ToolKind::kFinger: return "finger";
+    case ToolKind::kNone: return "none";
+    case ToolKind::kElectrocautery: return "electrocautery";
+    case ToolKind::kAllis: return "allis";
   }
   return "unknown";
 }

@@ -61,7 +61,12 @@ enum class EventKind : std::uint8_t {
   kThreadCut,
   kStitchFinished,                           // index: of `State::stitches`; value: its loop [m]
   kThreadHanded,                             // index: how many are left
-  kThreadRefused                             // index: ThreadRefusal, why the assistant hands none
+  kThreadRefused,                            // index: ThreadRefusal, why the assistant hands none
+  kInstrumentChanged,                        // index: 0 the hand's first instrument, 1 its second
+  kInstrumentRefused,                        // index: InstrumentRefusal, why it is not changed
+  kTissueCut,                                // index: tet that heat has taken away; value: its heat [J]
+  kPieceFree,                                // index: how many pieces hang on nothing now; value: their volume [m^3]
+  kPieceTaken                                // index: how many have been carried away; value: its volume [m^3]
 };
 const char* name(EventKind);
 
@@ -78,6 +83,7 @@ struct ToolView {
   Pose pose;                                 // the proxy that touches the tissue, not the device
   double jaw = 1.0;                          // [1]
   Vec3 force = Vec3::Zero();                 // [N] on the hand
+  bool second = false;                       // it holds its second instrument
 };
 
 /// A needle in layered tissue. Inside, the needle's tool pose is that of the hand; the needle itself lies on the line of `tools[].pose`.
@@ -104,6 +110,7 @@ struct RenderSnapshot {
   std::vector<Vec3> thread;                  // [m] one per thread node, tail first, swage last
   std::vector<double> twist;                 // [rad] material-frame angle per thread node
   Pose needle;                               // needle frame, see NeedleShape
+  bool threadOnTable = false;                // neither thread nor needle has been handed yet
   std::array<ToolView, kHands> tools;
   std::vector<Vec3> punctures;               // [m] open puncture holes; capacity RenderScene::maxPunctures, size = punctureCount
   int punctureCount = 0;
@@ -116,10 +123,16 @@ struct RenderSnapshot {
   double openingArea = 0.0;                  // [m^2]
   double threadTension = 0.0;                // [N] largest along the thread
   NeedlingView needling;                     // of a layered body
+  // Where tissue can be cut, else empty. Per triangle of RenderScene::surface:
+  std::vector<std::uint8_t> exposed;         // 1 = bare; 0 = inside the tissue, or gone
+  std::vector<double> charred;               // [1] heat of the tet it belongs to, over what takes that away
 };
 
 /// What never changes while a scene runs; handed to the renderer once.
-enum class ToolKind : std::uint8_t { kNeedleDriver, kForceps, kAcupunctureNeedle, kFinger };
+enum class ToolKind : std::uint8_t { kNeedleDriver, kForceps, kAcupunctureNeedle, kFinger,
+                                     kElectrocautery,   // a pen with a blade; closing the hand switches the current on
+                                     kAllis,            // a clamp that grasps as forceps do
+                                     kNone };
 const char* name(ToolKind);                  // as in scene.toml
 
 struct JawShape {                            // of one tool, as it is simulated
@@ -174,6 +187,7 @@ struct RenderScene {
   int threadNodes = 0;
   double threadRadius = 0.0;                 // [m]
   NeedleShape needle;
+  bool perineum = false;                     // skin round a prolapse instead of an open wound; bowel 0 is then inside out
   LayeredBody body;                          // of a scene that needles a body; triangles of hidden layers are in `surface` too
   StraightNeedle straightNeedle;
   double fingerRadius = 0.0;                 // [m] 0: no pressing finger
@@ -181,6 +195,8 @@ struct RenderScene {
   std::vector<CapsuleShape> rods;            // fixed rods (the anvil)
   std::array<ToolKind, kHands> tools{ToolKind::kForceps, ToolKind::kNeedleDriver};
   std::array<JawShape, kHands> jaws;
+  std::array<ToolKind, kHands> secondTools{ToolKind::kNone, ToolKind::kNone};
+  std::array<JawShape, kHands> secondJaws;
   CameraView camera;
   std::vector<std::string> instructions;     // one per procedure step
   std::vector<std::string> stepIds;
@@ -203,7 +219,8 @@ struct PhysicsStatus {
 /// A parameter changed while running; main thread -> physics thread, between two steps, recorded.
 struct Command {
   enum class Kind : std::uint8_t { kNone, kSetGravity, kReset,
-                                   kFreshThread   // the assistant hands a needled thread; sim/suture/fresh_thread.h
+                                   kFreshThread,  // the assistant hands a needled thread; sim/suture/fresh_thread.h
+                                   kChangeInstrument   // of hand `value`; sim/tools/instrument.h
   } kind = Kind::kNone;
   double value = 0.0;                        // [1] or the unit of the kind
 };

@@ -101,7 +101,14 @@ template <class V> struct FieldWalk {
   }
 
 HALSTED_FIELDS(Pose, position, orientation)
-HALSTED_FIELDS(TissueState, position, velocity, rotation, pressure, rodForce, pairCount, droppedPairs, pairVertex, pairTriangle, pairForce)
+/// Of heat and what is gone nothing at all where nothing can be cut.
+template <class V> void visitMembers(TissueState& object, FieldWalk<V>& walk) {
+  auto& [position, velocity, rotation, pressure, rodForce, pairCount, droppedPairs, pairVertex, pairTriangle, pairForce, heat, gone, left, piece] = object;
+  walk.members("position, velocity, rotation, pressure, rodForce, pairCount, droppedPairs, pairVertex, pairTriangle, pairForce",
+               position, velocity, rotation, pressure, rodForce, pairCount, droppedPairs, pairVertex, pairTriangle, pairForce);
+  if (!gone.empty()) walk.members("heat, gone, left, piece", heat, gone, left, piece);
+}
+HALSTED_FIELDS(CutState, piece, bare, tie, pieces, goneTets)
 HALSTED_FIELDS(Hole, tet, weight, coordinate, force, slip, bite, role, entryCosine)
 HALSTED_FIELDS(StrandContact, sample, feature, normalForce, force, weight)
 /// Of the holes only those that there are.
@@ -143,6 +150,7 @@ HALSTED_FIELDS(ThreadSupply, left, handed, refusal, bitesBefore, fullThicknessBe
 HALSTED_FIELDS(ToolState, device, proxy, jaw, closed, ratchet, force, holdsNeedle, needleCoordinate, needleInTool, needleForce, threadCoordinate,
                threadForce, strandForce, graspCount, graspTriangle, graspWeight, graspLocal, graspForce, contactCount, contactTriangle,
                contactWeight, contactNormal, contactForce, nearCount, nearTriangle)
+HALSTED_FIELDS(InstrumentState, second, refusal)
 HALSTED_FIELDS(ProcedureState, current, heldDone, heldFault, stepStart, finished, faults, inFault, late)
 HALSTED_FIELDS(HandMetrics, pathLength, peakForce, forceSum, forceSteps, lastPosition, started)
 HALSTED_FIELDS(BiteMetrics, depth, spacing, entryAngle, width)
@@ -151,8 +159,9 @@ HALSTED_FIELDS(SeamMetrics, join, wallShare, fullThickness, deepestTip, lastBowe
 HALSTED_FIELDS(Strokes, direction, extreme, lastTurn, count, counted, amplitude, amplitudeSquares, trough, troughSquares, troughs)
 HALSTED_FIELDS(NeedlingMetrics, entered, left, entryOffset, angle, deepest, depthError, enteredAt, reachedAt, leftAt, peakForce, peakPull, peakGrasp,
                peakTorque, peakWithdrawal, lifts, twirls, turned, lastTurned)
+HALSTED_FIELDS(CutMetrics, share, errorMean, errorWorst, energy, overshoot, time, freeVolume, burnt, freePieces, taken, crumbs, current)
 HALSTED_FIELDS(MetricsState, hands, bites, biteCount, lastExit, acrossOpening, tears, peakStretch, peakTension, openingArea, restOpeningArea, seam, assistedKnots,
-               needling)
+               cut, needling)
 HALSTED_FIELDS(LayerState, phase, crossing, since, normal, rest, now)
 HALSTED_FIELDS(ShaftFriction, held, slid, force, drag)
 HALSTED_FIELDS(TipCut, reached, force)
@@ -160,7 +169,7 @@ HALSTED_FIELDS(Winding, angle, turned, length, torque, grasp)
 HALSTED_FIELDS(NeedlingState, step, skinUnit, fingerUnit, contact, outward, entry, axis, layers, depth, pressed, fingerDepth, fingerPlace,
                fingerNormal, needleTurn, friction, cut, winding, inside)
 template <class V> void visitMembers(StepWork&, V&) {}   // scratch is not part of the state's value
-HALSTED_FIELDS(State, step, random, tissue, strand, threadContacts, knot, assist, stitches, supply, tools, procedure, metrics, needling, work)
+HALSTED_FIELDS(State, step, random, tissue, strand, threadContacts, knot, assist, stitches, supply, cut, tools, instruments, procedure, metrics, needling, work)
 
 #undef HALSTED_FIELDS
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "sim/cutting/pieces.h"
 #include "sim/needling/needling_scene.h"
 #include "sim/step.h"
 #include "sim/suture/fresh_thread.h"
@@ -11,10 +12,27 @@
 namespace halsted {
 namespace {
 
+void beginCut(const Model& m, State& s) {
+  const std::size_t tets = m.mesh.tets.size(), particles = m.mesh.vertices.size();
+  s.tissue.heat.assign(tets, 0.0);
+  s.tissue.gone.assign(tets, 0);
+  s.tissue.left.assign(particles, 1.0);
+  s.tissue.piece.assign(particles, 0);
+  s.cut.emplace();
+  s.cut->piece.assign(tets, 0);
+  s.cut->bare.assign(particles, 0);
+  s.cut->tie.assign(m.surface.neighbour.size(), 1);
+  s.metrics.cut.emplace();
+  s.work.cut.parent.resize(particles);
+  s.work.cut.label.resize(particles);
+  s.work.cut.volume.resize(tets + 1);
+  findPieces(m, s);
+}
+
 void beginSuture(const Model& m, State& s) {
   s.tissue = restState(m.tissue);
   if (m.join.present()) s.metrics.seam.emplace();
-  s.strand = restState(m.strand, loadDriver(m, s.tools[kRight]));
+  s.strand = restState(m.strand, beginsWithNeedle(m) ? loadDriver(m, s.tools[kRight]) : needleOnTable());
   if (m.params.thread.knots) {
     const ThreadParams& t = m.params.thread;
     s.threadContacts = restContacts(m.strand);
@@ -28,6 +46,7 @@ void beginSuture(const Model& m, State& s) {
     s.work.knotReader = KnotReader(m.strand.nodes);
     s.work.threadContacts = prepareContactWork(m.strand, {t.friction, t.lateralModulus, t.breakingTension});
   }
+  if (std::any_of(m.params.second, m.params.second + kHands, [](const ToolParams& p) { return p.kind != ToolKind::kNone; })) s.instruments.emplace();
   s.work.tissue = prepareWork(m.tissue);
   s.work.strand = prepareWork(m.strand);
   s.work.force.assign(m.mesh.vertices.size(), Vec3::Zero());
@@ -40,9 +59,14 @@ void beginSuture(const Model& m, State& s) {
   }
   s.work.self.ring.resize(m.mesh.vertices.size());
   s.work.self.give.resize(m.mesh.vertices.size());
+  if (m.cut.present()) beginCut(m, s);
 }
 
 void prepareSutureSnapshot(const Model& m, RenderSnapshot& r) {
+  if (m.cut.present()) {
+    r.exposed.assign(m.surface.triangles.size(), 0);
+    r.charred.assign(m.surface.triangles.size(), 0.0);
+  }
   r.tissue.resize(m.mesh.vertices.size());
   r.thread.resize(m.strand.nodes);
   r.twist.assign(m.strand.nodes, 0.0);
@@ -68,10 +92,20 @@ void fillStitches(const Model& m, const State& s, RenderSnapshot& r) {
     courseOf(m, s.stitches->stitch[k], s.tissue.position, std::span<Vec3, kStitchPoints>(r.stitches.data() + k * kStitchPoints, kStitchPoints));
 }
 
+void fillCut(const Model& m, const TissueState& t, RenderSnapshot& r) {
+  for (int f = 0; f < static_cast<int>(r.exposed.size()); ++f) {
+    const int tet = m.surface.triangleTet[f];
+    r.exposed[f] = exposed(m.surface, t.gone, f);
+    r.charred[f] = t.heat[tet] / (m.tissue.restVolume[tet] * m.params.cautery.cuttingEnergy);
+  }
+}
+
 void fillSutureSnapshot(const Model& m, const State& s, RenderSnapshot& r) {
+  if (s.cut) fillCut(m, s.tissue, r);
   std::copy(s.tissue.position.begin(), s.tissue.position.end(), r.tissue.begin());
   std::copy(s.strand.position.begin(), s.strand.position.end(), r.thread.begin());
   r.needle = s.strand.needle;
+  r.threadOnTable = threadOnTable(m, s);
   fillPunctures(m, s, r);
   fillStitches(m, s, r);
   r.bites = static_cast<std::uint32_t>(s.metrics.biteCount);
@@ -103,7 +137,8 @@ void prepareSnapshot(const Model& m, RenderSnapshot& r) {
 void fillSnapshot(const Model& m, const State& s, RenderSnapshot& r) {
   r.step = s.step;
   r.time = s.step * m.params.dt;
-  for (int hand = 0; hand < kHands; ++hand) r.tools[hand] = {s.tools[hand].proxy, s.tools[hand].jaw, s.tools[hand].force};
+  for (int hand = 0; hand < kHands; ++hand)
+    r.tools[hand] = {s.tools[hand].proxy, s.tools[hand].jaw, s.tools[hand].force, s.instruments && s.instruments->second[hand] == 1};
   r.procedureStep = s.procedure.current;
   r.faults = 0;
   for (std::int32_t f : s.procedure.faults) r.faults += static_cast<std::uint32_t>(f);

@@ -72,11 +72,11 @@ double edgeDistance(const Model& m, std::span<const Vec3> x, int bowel, int colu
   return least;
 }
 
-double wallDistance(const Model& m, std::span<const Vec3> x, const EdgeColumn& c) {     // [m]
+double wallDistance(const Model& m, const SurfaceNow& now, const EdgeColumn& c) {     // [m]
   double least = kReach;
   for (int i = 0; i < c.count; ++i) {
     int near = c.facing[i];
-    const SurfacePoint p = nearestSurface(m.surface, x, x[c.vertex[i]], kReach, near);
+    const SurfacePoint p = nearestSurface(m.surface, now, now.position[c.vertex[i]], kReach, near);
     if (p.triangle >= 0) least = std::fmin(least, std::fmax(0.0, p.distance));
   }
   return least;
@@ -116,13 +116,14 @@ int columnNear(const Model& m, int bowel, const Vec3& rest) {
   return best;
 }
 
-void measureStretch(const Model& m, std::span<const Vec3> x, int bowel, const SewnStretch& sewn, JoinMetrics& join) {
+void measureStretch(const Model& m, const SurfaceNow& now, int bowel, const SewnStretch& sewn, JoinMetrics& join) {
+  const std::span<const Vec3> x = now.position;
   const auto& columns = m.join.columns[bowel];
   const int around = static_cast<int>(columns.size());
   for (int i = 0; i < sewn.count; ++i) {
     const int column = (sewn.first + i) % around;
     join.rimGap = std::fmax(join.rimGap, edgeDistance(m, x, bowel, column));
-    join.wallGap = std::fmax(join.wallGap, wallDistance(m, x, columns[column]));
+    join.wallGap = std::fmax(join.wallGap, wallDistance(m, now, columns[column]));
     join.inversion += turnIn(x, columns[column]) - turnIn(m.mesh.vertices, columns[column]);
   }
 }
@@ -159,7 +160,7 @@ JoinMetrics measureJoin(const Model& m, const State& s) {
   }
   if (join.crossings == 0) { join.rimGap = join.wallGap = m.join.restGap; return join; }
   const std::array<SewnStretch, 2> sewn{sewnOn(m, strand, 0), sewnOn(m, strand, 1)};
-  for (int bowel = 0; bowel < 2; ++bowel) measureStretch(m, s.tissue.position, bowel, sewn[bowel], join);
+  for (int bowel = 0; bowel < 2; ++bowel) measureStretch(m, {s.tissue.position, s.tissue.gone}, bowel, sewn[bowel], join);
   const int columns = sewn[0].count + sewn[1].count;
   join.inversion /= columns;
   join.sewnShare = static_cast<double>(columns) / static_cast<double>(m.join.columns[0].size() + m.join.columns[1].size());

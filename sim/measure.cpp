@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/contact/geometry.h"
+#include "sim/cutting/cut_measure.h"
 #include "sim/needling/needling_scene.h"
 #include "sim/suture/fresh_thread.h"
 #include "sim/suture/holes.h"
@@ -114,7 +115,7 @@ void measureStretch(const Model& m, State& s) {
   for (int v : m.surface.vertices) {
     for (int e = m.surface.neighbourStart[v]; e < m.surface.neighbourStart[v + 1]; ++e) {
       const int u = m.surface.neighbour[e];
-      if (u < v) continue;
+      if (u < v || (s.cut && !s.cut->tie[e])) continue;
       const double now = (s.tissue.position[u] - s.tissue.position[v]).squaredNorm();
       peak = std::fmax(peak, now / (m.mesh.vertices[u] - m.mesh.vertices[v]).squaredNorm());
     }
@@ -174,6 +175,8 @@ void measureSuture(const Model& m, State& s, StepOutput& out) {
     measureSeam(*metrics.seam, last, out);
     set(Quantity::kFullThickness, metrics.seam->fullThickness - before.fullThicknessBefore);
   }
+  if (metrics.cut) observe(*metrics.cut, out.seen);
+  set(Quantity::kTissueHeld, (s.tools[0].graspCount > 0) + (s.tools[1].graspCount > 0));
   set(Quantity::kStitches, finishedStitches(m, s));
   set(Quantity::kThreadsLeft, before.left);
   const KnotState& knot = s.knot;

@@ -40,6 +40,11 @@ constexpr int kKuhnTets[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6
 
 }  // namespace
 
+std::array<int, 3> faceCorners(const std::array<int, 4>& tet, int opposite) {
+  const auto& c = kFaceCorners[opposite];
+  return {tet[c[0]], tet[c[1]], tet[c[2]]};
+}
+
 double volume(const TetMesh& mesh, int tet) {
   const auto& [a, b, c, d] = mesh.tets[tet];
   const Vec3& origin = mesh.vertices[a];

@@ -54,6 +54,21 @@ void addSeam(Rows& rows, const SeamMetrics& seam, int bites) {
   rows.emplace_back("tail_difference_m", join.tailDifference);
 }
 
+/// Of tissue that can be cut.
+void addCut(Rows& rows, const CutMetrics& cut) {
+  rows.emplace_back("cut_share_outer_1", cut.share[0]);
+  rows.emplace_back("cut_share_inner_1", cut.share[1]);
+  rows.emplace_back("cut_error_mean_m", cut.errorMean);
+  rows.emplace_back("cut_error_worst_m", cut.errorWorst);
+  rows.emplace_back("cut_energy_j", cut.energy);
+  rows.emplace_back("cut_overshoot_j", cut.overshoot);
+  rows.emplace_back("cut_time_s", cut.time);
+  rows.emplace_back("burnt_tets", cut.burnt);
+  rows.emplace_back("free_pieces", cut.freePieces);
+  rows.emplace_back("pieces_taken", cut.taken);
+  rows.emplace_back("crumbs", cut.crumbs);
+}
+
 void addSuture(Rows& rows, const MetricsState& m) {
   rows.emplace_back("bites", m.biteCount);
   rows.emplace_back("stitches_across_opening", m.acrossOpening);
@@ -63,6 +78,7 @@ void addSuture(Rows& rows, const MetricsState& m) {
   rows.emplace_back("peak_tension_n", m.peakTension);
   rows.emplace_back("opening_area_m2", m.openingArea);
   rows.emplace_back("opening_fraction_1", m.restOpeningArea > 0.0 ? m.openingArea / m.restOpeningArea : 1.0);
+  if (m.cut) addCut(rows, *m.cut);
   if (m.assistedKnots) rows.emplace_back("assisted_knots", *m.assistedKnots);
   if (m.seam) addSeam(rows, *m.seam, std::clamp<int>(m.biteCount, 0, kMaxBites));
 }

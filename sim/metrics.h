@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/join.h"
+#include "sim/mesh.h"
 #include "sim/needling/strokes.h"
 #include "sim/types.h"
 
@@ -45,6 +46,19 @@ struct NeedlingMetrics {
   double turned = 0.0, lastTurned = 0.0;       // [rad] all rotation, both ways; net rotation at the last step
 };
 
+/// Of tissue that is cut; `TetMesh::cutLine` says where it should be.
+struct CutMetrics {
+  std::array<double, kCutWalls> share{};       // [1] outer and inner wall: of the circumference that is cut through
+  double errorMean = 0.0, errorWorst = 0.0;    // [m] of burnt tets from the line, by volume
+  double energy = 0.0;                         // [J] that the pen has given to tissue
+  double overshoot = 0.0;                      // [J] of it where it should not be: off the line's walls, or in the inner one before the outer one is through
+  double time = 0.0;                           // [s] with current through tissue
+  double freeVolume = 0.0;                     // [m^3] of the free pieces
+  std::int32_t burnt = 0;                      // tets
+  std::int32_t freePieces = 0, taken = 0, crumbs = 0;   // hang on nothing now; have been carried away; have been sucked away
+  bool current = false;                        // flowed in this step
+};
+
 inline constexpr int kMaxBites = 24;
 
 /// Of two ends that are being joined.
@@ -69,6 +83,7 @@ struct MetricsState {
   double restOpeningArea = 0.0;                // [m^2] at the first step
   std::optional<SeamMetrics> seam;             // of two ends that are being joined
   std::optional<std::int32_t> assistedKnots;   // locked, with `thread.assist`
+  std::optional<CutMetrics> cut;               // where tissue can be cut
   std::optional<NeedlingMetrics> needling;     // of a body that is needled; then nothing but the hands counts above
 };
 

@@ -18,16 +18,30 @@ void checkTool(const ToolParams& t) {
   positive(t.couplingStiffness, "coupling_stiffness");
 }
 
+void checkCautery(const CauteryParams& c) {
+  const bool sound = c.power >= 0.0 && c.cuttingEnergy > 0.0 && c.tipRadius > 0.0 && c.reach > 0.0 && c.takeAway > 0.0 && c.crumb >= 0.0;
+  if (!sound) throw std::invalid_argument("cautery: cutting_energy, tip_radius, reach and take_away must be positive, power and crumb not negative");
+}
+
+/// The mesh of the model has the faces too that a cut lays bare.
+void showCutFaces(Model& m) {
+  m.mesh.surface = m.surface.triangles;
+  m.mesh.triangleLayer.resize(m.surface.triangles.size(), kCutFace);
+}
+
 void buildSuture(const SimParams& params, TetMesh mesh, Model& m) {
   if (mesh.rim.size() < 3) throw std::invalid_argument("anatomy: the mesh has no open rim");
   for (const ToolParams& t : params.tools) checkTool(t);
+  checkCautery(params.cautery);
   if (!(params.anvil.radius >= 0.0)) throw std::invalid_argument("anvil.radius must not be negative");
   m.tissue = buildTissue(mesh, params);
   m.surface = buildSurface(mesh);
+  m.cut = planCut(mesh, m.surface);
   m.strand = buildStrand(params);
   m.bowels = findBowels(mesh);
   m.join = buildJoin(mesh, m.bowels, m.surface);
   m.mesh = std::move(mesh);
+  if (m.cut.present()) showCutFaces(m);
   m.restOpening = enclosedArea(m.bowels.rim[0], m.mesh.vertices);
 }
 
@@ -37,6 +51,9 @@ Model buildModel(const SimParams& params, Anatomy anatomy, std::vector<Procedure
   if (procedure.size() > kMaxProcedureSteps) throw std::invalid_argument("procedure: more steps than fit");
   Model m;
   m.params = params;
+  // The blade of a pen is as thick as its electrode.
+  for (ToolParams& t : m.params.tools)
+    if (t.kind == ToolKind::kElectrocautery) t.jawRadius = params.cautery.tipRadius;
   m.procedure = std::move(procedure);
   switch (params.model) {
     case ModelKind::kSuture: buildSuture(params, std::move(anatomy.mesh), m); break;

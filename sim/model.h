@@ -7,6 +7,7 @@
 #include "sim/anatomy.h"
 #include "sim/bowels.h"
 #include "sim/contact/surface.h"
+#include "sim/cutting/cut_plan.h"
 #include "sim/join.h"
 #include "sim/mesh.h"
 #include "sim/needling/body_model.h"
@@ -23,9 +24,10 @@ struct Model {
   SimParams params;
   std::vector<ProcedureStep> procedure;
   // ModelKind::kSuture
-  TetMesh mesh;
+  TetMesh mesh;                                // surface and triangleLayer as in `surface`: with the faces that a cut lays bare
   SurfaceModel surface;                        // neighbours and owners on the tissue's surface
   TissueModel tissue;                          // solver data: masses, factor, inverse
+  CutPlan cut;                                 // where tissue can be cut
   StrandModel strand;                          // thread and needle: masses, rest lengths, arc samples
   Bowels bowels;                               // which end each vertex belongs to, and its rim
   JoinModel join;                              // of a scene with two ends

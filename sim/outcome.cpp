@@ -69,7 +69,7 @@ Outcome testOutcome(const Model& m, State s, const LeakTest& test) {
 void gatherPressure(const Model& m, const State& s, double pressure, std::vector<Vec3>& nodal) {
   if (!(pressure > 0.0)) return;
   for (std::size_t f = 0; f < m.surface.triangles.size(); ++f) {
-    if (m.mesh.triangleLayer[f] != 1) continue;
+    if (m.mesh.triangleLayer[f] != 1 || !exposed(m.surface, s.tissue.gone, static_cast<int>(f))) continue;
     const auto& v = m.surface.triangles[f];
     const auto& x = s.tissue.position;
     const Vec3 push = -pressure / 6.0 * (x[v[1]] - x[v[0]]).cross(x[v[2]] - x[v[0]]);   // [N] on each corner, away from the lumen

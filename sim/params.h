@@ -71,8 +71,8 @@ struct NeedleParams {                          // [needle]
   double shaftFriction = 20.0;                 // shaft_friction [N/m] Coulomb friction per inserted length (design)
 };
 
-struct ToolParams {                            // [tool.left], [tool.right]
-  ToolKind kind = ToolKind::kNeedleDriver;     // kind = "needle_driver" | "forceps" | "acupuncture_needle" | "finger"
+struct ToolParams {                            // [tool.left], [tool.right]; [tool.left.second], [tool.right.second]
+  ToolKind kind = ToolKind::kNeedleDriver;     // kind = "needle_driver" | "forceps" | "acupuncture_needle" | "finger" | "electrocautery" | "allis"; "none" of a second
   double jawLength = 12e-3;                    // jaw_length [m]
   double jawRadius = 1.2e-3;                   // jaw_radius [m]
   double shaftRadius = 2.2e-3;                 // shaft_radius [m]
@@ -81,7 +81,24 @@ struct ToolParams {                            // [tool.left], [tool.right]
   double captureRadius = 2.5e-3;               // capture_radius [m] what lies this near the jaws' centre line is grasped
   double gripForce = 4.0;                      // grip_force [N] above it the grasped tissue slips out
   bool cutter = false;                         // cutter: blades behind the jaws cut thread (Olsen-Hegar); only with thread.knots
-  double couplingStiffness = 1000.0;           // coupling_stiffness [N/m] from the device's nominal 1.02 N/mm (devices.md)
+  double couplingStiffness = 1000.0;           // coupling_stiffness [N/m] of the hand, whatever it holds; from the device's nominal 1.02 N/mm (devices.md)
+};
+
+inline ToolParams withoutTool() {
+  ToolParams none;
+  none.kind = ToolKind::kNone;
+  return none;
+}
+
+/// An electrocautery pen (kind = "electrocautery"); sim/cutting/burn.h.
+struct CauteryParams {                         // [cautery]
+  double power = 30.0;                         // power [W] of pure cut; 20 to 60 W are usual (design)
+  // cutting_energy [J/m^3] to take tissue away as steam, the tissue counted as water: 1000 kg/m^3 (4.18 kJ/(kg K) 63 K + 2257 kJ/kg)
+  double cuttingEnergy = 2.52e9;
+  double tipRadius = 0.6e-3;                   // tip_radius [m] of the electrode, and of the pen's blade
+  double reach = 0.4e-3;                       // reach [m] from the electrode's surface: how deep its heat goes at once (design)
+  double takeAway = 30e-3;                     // take_away [m] a free piece that has been carried this far is taken out of the scene
+  double crumb = 8e-9;                         // crumb [m^3] a free piece no larger is sucked away with the smoke (design)
 };
 
 struct AnatomyParams {                         // [anatomy]
@@ -93,8 +110,11 @@ struct AnatomyParams {                         // [anatomy]
   double wall = 2e-3;                          // wall [m]
   double haustraDepth = 2.0e-3;                // haustra_depth [m]
   int around = 34, along = 18;                 // around, along [1] grid of one layer; two layers
-  std::string layout = "one_end";              // layout = "one_end" | "two_ends" | "end_to_end"
-  double gap = 8e-3;                           // gap [m] between the walls of two ends
+  std::string layout = "one_end";              // layout = "one_end" | "two_ends" | "end_to_end" | "prolapse"
+  double gap = 8e-3;                           // gap [m] between the walls of two ends, or of a prolapse
+  // Of a prolapse; `length` is how far it stands out:
+  double cutHeight = 12e-3;                    // cut_height [m] of the planned line over the base, 10 to 15 mm over the dentate line
+  double cutBand = 3e-3;                       // cut_band [m] to either side of it the wall may be cut; farther away that is a fault
   // A body that is needled:
   std::string body;                            // body: table of its acupoints, scenes/NAME/bodies/BODY.toml; empty = the mesh's own, or the slab
   std::string point;                           // point: the acupoint to be needled; empty = the table's first
@@ -119,6 +139,8 @@ struct SimParams {
   ThreadParams thread;
   NeedleParams needle;
   ToolParams tools[kHands];
+  ToolParams second[kHands] = {withoutTool(), withoutTool()};   // what a hand may change its instrument for: sim/tools/instrument.h
+  CauteryParams cautery;
   AnatomyParams anatomy;
   RodParams anvil;
   NeedlingParams needling;                     // [needling]; its keys stand in scenes/scene_fields_needling.cpp

@@ -57,6 +57,16 @@ enum class Quantity : std::uint8_t {
   kNeedleGrasp,            // needle_grasp             [1] friction over that of a needle never turned
   kWithdrawalSpeed,        // withdrawal_speed         [m/s] of the needle on its way out; 0 outside
   kNeedleOut,              // needle_out               [1] 1 once the needle has been in and is out again
+  kCutShareOuter,          // cut_share_outer          [1] of the outer wall's circumference that is cut through
+  kCutShareInner,          // cut_share_inner          [1] the same of the inner wall
+  kCutError,               // cut_error                [m] worst distance of the cut from its line
+  kOvershoot,              // overshoot                [J] heat in tissue that should not be touched
+  kCutTime,                // cut_time                 [s] with current through tissue
+  kCutEnergy,              // cut_energy               [J] that the pen has given to tissue
+  kCurrent,                // current                  [1] 1 while current flows through tissue
+  kSpecimenFree,           // specimen_free            [1] pieces that hang on nothing, and those carried away
+  kSpecimenTaken,          // specimen_taken           [1] pieces carried away
+  kTissueHeld,             // tissue_held              [1] hands that hold tissue
   kCount
 };
 inline constexpr int kQuantities = static_cast<int>(Quantity::kCount);

@@ -160,6 +160,8 @@ bool load(const std::vector<std::uint8_t>& bytes, State& state, std::string& err
   if (!error.empty()) return false;
   copy.work = std::move(state.work);         // scratch keeps the room that was set aside for it: a copy would not
   state = std::move(copy);
+  if (state.cut)
+    for (NearPairs& list : state.work.self.nearby) list.whole = false;   // of faces that another cut laid bare
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/cutting/cut_state.h"
 #include "sim/exchange.h"
 #include "sim/metrics.h"
 #include "sim/needling/needling.h"
@@ -16,6 +17,7 @@
 #include "sim/suture/thread_supply.h"
 #include "sim/suture/tied_stitches.h"
 #include "sim/tissue/tissue_state.h"
+#include "sim/tools/instrument_state.h"
 #include "sim/tools/tool_state.h"
 #include "sim/types.h"
 #include "sim/work.h"
@@ -32,7 +34,9 @@ struct State {
   std::optional<AssistKnot> assist;            // with `thread.assist`
   std::optional<TiedStitches> stitches;        // where stitches are tied and cut off
   std::optional<ThreadSupply> supply;          // with `thread.spare`
+  std::optional<CutState> cut;                 // where tissue can be cut
   std::array<ToolState, kHands> tools;
+  std::optional<InstrumentState> instruments;  // where a second instrument is laid out
   ProcedureState procedure;
   MetricsState metrics;
   std::optional<NeedlingState> needling;       // of a body that is needled; then tissue and strand are empty

@@ -1,6 +1,7 @@
 #include "sim/step.h"
 
 #include "sim/contact/tissue_contact.h"
+#include "sim/cutting/burn.h"
 #include "sim/measure.h"
 #include "sim/needling/needling_scene.h"
 #include "sim/outcome.h"
@@ -13,6 +14,8 @@
 #include "sim/suture/tied_stitches.h"
 #include "sim/tissue/tissue.h"
 #include "sim/tools/grasp.h"
+#include "sim/tools/instrument.h"
+#include "sim/tools/load_driver.h"
 #include "sim/tools/local_contact.h"
 #include "sim/tools/tool_shape.h"
 #include "sim/tools/touch.h"
@@ -66,6 +69,7 @@ bool solveThread(const Model& m, const KnottingMotion& motion, State& s, StepOut
 }
 
 void stepStrand(const Model& m, KnottingMotion motion, State& s, StepOutput& out) {
+  if (threadOnTable(m, s)) return;
   s.work.strand.linkCount = s.work.strand.turnCount = 0;
   linkHoles(m, s);
   const int firstContact = s.work.strand.linkCount;
@@ -101,6 +105,8 @@ void stepProcedure(const Model& m, State& s, StepOutput& out) {
 
 void stepSuture(const Model& m, const StepInput& input, State& s, StepOutput& out) {
   if (input.command.kind == Command::Kind::kFreshThread) handFreshThread(m, s, out);
+  if (input.command.kind == Command::Kind::kChangeInstrument) changeInstrument(m, input.command.value > 0.5 ? kRight : kLeft, s, out);
+  cutTissue(m, s, out);
   carryForces(m, input.lumenPressure, s);
   predictTissue(m.tissue, s.work.force, s.tissue, s.work.tissue);
   const std::array<Pose, kHands> before{s.tools[0].proxy, s.tools[1].proxy};

@@ -82,7 +82,7 @@ JoinMetrics measureWholeSeam(const Model& m, const State& s) {
   join.rimGap = join.wallGap = join.inversion = 0.0;
   join.crossings = static_cast<std::int32_t>(crossingsInOrder(m, s).size());
   const std::array<SewnStretch, 2> sewn{sewnByAll(m, s, 0), sewnByAll(m, s, 1)};
-  for (int bowel = 0; bowel < 2; ++bowel) measureStretch(m, s.tissue.position, bowel, sewn[bowel], join);
+  for (int bowel = 0; bowel < 2; ++bowel) measureStretch(m, {s.tissue.position, s.tissue.gone}, bowel, sewn[bowel], join);
   const int columns = sewn[0].count + sewn[1].count;
   join.inversion /= std::max(1, columns);
   join.sewnShare = static_cast<double>(columns) / static_cast<double>(m.join.columns[0].size() + m.join.columns[1].size());

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "sim/cutting/cut_state.h"
 #include "sim/strand/knot_diagram.h"
 #include "sim/strand/strand.h"
 #include "sim/strand/thread_contacts.h"
@@ -32,6 +33,7 @@ struct NearPairs {
   static constexpr int kMost = 4096;
   bool whole = false, used = false;            // holds all of them; has served since it was made
   int count = 0;
+  std::int32_t goneTets = 0;                   // when it was made: it holds while no more are
   std::vector<std::int32_t> vertex, triangle;  // ascending triangles
   std::vector<Vec3> place;                     // [m] the surface's vertices at the last search through the cells
 };
@@ -88,6 +90,7 @@ struct StepWork {
   std::vector<Vec3> force;                     // [N] per particle: what the tissue carried from the last step
   std::vector<Vec3> change;                    // [N] per particle: what contacts changed in this one
   SelfWork self;
+  CutWork cut;
 };
 
 }  // namespace halsted

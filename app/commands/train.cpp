@@ -65,6 +65,8 @@ void runWindow(const TrainOptions& options, const Scenario& scenario, LiveSessio
     session.links().helpVisible.store(window.helpVisible());
     session.links().otherView.store(window.otherView());
     if (window.takeThreadAsked()) session.links().commands.push({Command::Kind::kFreshThread, 0.0});
+    if (window.takeInstrumentsAsked())
+      for (int hand = 0; hand < kHands; ++hand) session.links().commands.push({Command::Kind::kChangeInstrument, static_cast<double>(hand)});
     if (session.links().frame.acquire()) window.show(session.links().frame.front());
     if (nothingLeft(scenario, session)) break;
   }

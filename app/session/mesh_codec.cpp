@@ -71,6 +71,23 @@ bool decodeMesh(std::span<const std::uint8_t>& bytes, TetMesh& mesh, std::string
   return true;
 }
 
+/// Of a wall that can be cut.
+void encodeCut(const TetMesh& mesh, std::vector<std::uint8_t>& bytes) {
+  append(std::vector<int>(mesh.cuttable.begin(), mesh.cuttable.end()), bytes);
+  append(mesh.cutLine, bytes);
+  append(mesh.bowel, bytes);
+}
+
+bool takeCut(std::span<const std::uint8_t>& bytes, TetMesh& mesh) {
+  std::vector<int> cuttable;
+  if (!take(bytes, cuttable) || !take(bytes, mesh.cutLine) || !take(bytes, mesh.bowel) || !indicesBelow(cuttable, 2)) return false;
+  mesh.cuttable.assign(cuttable.begin(), cuttable.end());
+  for (const CutMark& mark : mesh.cutLine)
+    if (!std::isfinite(mark.fromLine)) return false;
+  if (!(mesh.bowel.empty() || (mesh.bowel.size() == mesh.vertices.size() && indicesBelow(mesh.bowel, kCutWalls)))) return false;
+  return mesh.cuttable.size() == mesh.tets.size() && (mesh.cutLine.empty() || mesh.cutLine.size() == mesh.tets.size());
+}
+
 /// A text as one number a letter: few and short.
 std::vector<int> letters(const std::string& text) { return {text.begin(), text.end()}; }
 bool takeText(std::span<const std::uint8_t>& bytes, std::string& text) {
@@ -136,13 +153,15 @@ bool takeBody(std::span<const std::uint8_t>& bytes, Body& body) {
 std::vector<std::uint8_t> encodeAnatomy(const Anatomy& anatomy) {
   std::vector<std::uint8_t> bytes;
   encodeMesh(anatomy.mesh, bytes);
+  if (!anatomy.mesh.cuttable.empty()) encodeCut(anatomy.mesh, bytes);
   if (!anatomy.body.empty()) encodeBody(anatomy.body, bytes);
   return bytes;
 }
 
 bool decodeAnatomy(std::span<const std::uint8_t> bytes, Anatomy& anatomy, std::string& error) {
   if (!decodeMesh(bytes, anatomy.mesh, error)) return false;
-  if (bytes.empty() || (takeBody(bytes, anatomy.body) && bytes.empty())) return true;
+  if (bytes.empty()) return true;
+  if ((anatomy.mesh.vertices.empty() ? takeBody(bytes, anatomy.body) : takeCut(bytes, anatomy.mesh)) && bytes.empty()) return true;
   error = anatomy.mesh.vertices.empty() ? "the body is not whole" : "the anatomy is longer than its wall";
   return false;
 }

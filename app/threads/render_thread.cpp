@@ -9,7 +9,7 @@
 namespace halsted::app {
 namespace {
 
-const char* const kHelp = "mouse: move  wheel: nearer, farther  right drag: turn  left button or space: close the jaws  C: cut the body open  Esc: end";
+const char* const kHelp = "mouse: move  wheel: nearer, farther  right drag: turn  left button or space: close the jaws  C: cut open  N: new thread  T: other instruments  Esc: end";
 constexpr double kMessageTime = 3.0;           // [s] an event stays on screen
 
 /// Rates over the last half second, for the panel.

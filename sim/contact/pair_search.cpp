@@ -90,16 +90,21 @@ void keepLoaded(int triangle, int& next, State& s) {
   }
 }
 
+/// Is a surface edge still held by tissue? Across a cut nothing but contact keeps two neighbours apart.
+bool tied(const State& s, int edge) { return !s.cut || s.cut->tie[edge]; }
+
 /// Marks the corners of a triangle and all that they are joined to: most vertices near a triangle are its neighbours.
-void markRing(const Model& m, int triangle, SelfWork& w) {
+void markRing(const Model& m, int triangle, State& s) {
+  auto& ring = s.work.self.ring;
   for (int v : m.surface.triangles[triangle]) {
-    w.ring[v] = ringMark(triangle);
-    for (int e = m.surface.neighbourStart[v]; e < m.surface.neighbourStart[v + 1]; ++e) w.ring[m.surface.neighbour[e]] = ringMark(triangle);
+    for (int e = m.surface.neighbourStart[v]; e < m.surface.neighbourStart[v + 1]; ++e)
+      if (tied(s, e)) ring[m.surface.neighbour[e]] = ringMark(triangle);
   }
+  for (int v : m.surface.triangles[triangle]) ring[v] = ringMark(triangle);
 }
 
 void offer(const Model& m, const Face& face, int vertex, State& s) {
-  if (!pairGap(m, s.tissue.position, vertex, face.index).near) return;
+  if (!pairGap(m, {s.tissue.position, s.tissue.gone}, vertex, face.index).near) return;
   const int reserved = s.work.self.count - face.next;   // for what may still have to stay
   if (s.tissue.pairCount + reserved < TissueState::kMaxPairs) addPair(s, vertex, face.index, 0.0);
   else ++s.tissue.droppedPairs;
@@ -122,6 +127,7 @@ void searchRun(const Model& m, const Face& face, std::array<int, 2> run, NearPai
   const int count = insideRun(face, run[0], run[1], w);
   for (int i = 0; i < count; ++i) {
     const int vertex = w.inside[i];
+    if (s.cut && !s.cut->bare[vertex]) continue;
     if (w.ring[vertex] == ringMark(face.index) || (face.held && m.tissue.isFixed[vertex])) continue;
     const bool candidate = list == nullptr || enlist(face, vertex, s.tissue.position[vertex], *list);
     if (candidate && w.ring[vertex] != keptMark(face.index)) offer(m, face, vertex, s);
@@ -147,12 +153,13 @@ bool sharesFeature(const SurfaceModel& s, int triangle, int other, const std::ar
 
 /// Beside a triangle and below its plane is inside the tissue only if it is below the triangles beyond that edge or corner too. What
 /// stands in front of one face of a sharp edge, as of the open rim, is below the plane of the other.
-bool behindNeighbours(const Model& m, std::span<const Vec3> x, int vertex, int triangle, const std::array<double, 3>& weight) {   // weight [1]
+bool behindNeighbours(const Model& m, const SurfaceNow& now, int vertex, int triangle, const std::array<double, 3>& weight) {   // weight [1]
   const SurfaceModel& s = m.surface;
+  const std::span<const Vec3> x = now.position;
   const int k = weight[0] > 0.0 ? 0 : (weight[1] > 0.0 ? 1 : 2), corner = s.triangles[triangle][k];
   for (int e = s.triangleStart[corner]; e < s.triangleStart[corner + 1]; ++e) {
     const int other = s.triangleOf[e];
-    if (other == triangle || !sharesFeature(s, triangle, other, weight)) continue;
+    if (other == triangle || !exposed(s, now.gone, other) || !sharesFeature(s, triangle, other, weight)) continue;
     const auto& v = s.triangles[other];
     if ((x[v[1]] - x[v[0]]).cross(x[v[2]] - x[v[0]]).dot(x[vertex] - x[v[0]]) > 0.0) return false;
   }
@@ -167,17 +174,21 @@ bool stayed(const Model& m, std::span<const Vec3> x, const NearPairs& list) {   
   return near;
 }
 
+int goneTets(const State& s) { return s.cut ? s.cut->goneTets : 0; }
+
 /// Through the cells. A list costs half as much again as a search: it is made where the last one served, or would have.
 void searchCells(const Model& m, const VertexGrid& grid, int turn, const Scope& scope, State& s) {
   SelfWork& w = s.work.self;
   NearPairs& list = w.nearby[turn];
   list.whole = list.used = false;
   list.count = 0;
+  list.goneTets = goneTets(s);
   for (std::size_t i = 0; i < list.place.size(); ++i) list.place[i] = s.tissue.position[m.surface.vertices[i]];
   fillGrid(m, s.tissue, grid, w);
   int next = 0;
   for (int f = turn; f < static_cast<int>(m.surface.triangles.size()); f += kPairRound) {
-    markRing(m, f, w);
+    if (s.cut && !exposed(m.surface, s.tissue.gone, f)) continue;
+    markRing(m, f, s);
     keepLoaded(f, next, s);
     Face face = faceOf(m, s.tissue.position, f, scope);
     face.next = next;
@@ -222,7 +233,8 @@ void searchList(const Model& m, const VertexGrid& grid, int turn, State& s) {
 
 }  // namespace
 
-PairGap pairGap(const Model& m, std::span<const Vec3> x, int vertex, int triangle) {
+PairGap pairGap(const Model& m, const SurfaceNow& now, int vertex, int triangle) {
+  const std::span<const Vec3> x = now.position;
   PairGap g;
   const auto& v = m.surface.triangles[triangle];
   const Vec3 &a = x[v[0]], &b = x[v[1]], &c = x[v[2]];
@@ -232,17 +244,18 @@ PairGap pairGap(const Model& m, std::span<const Vec3> x, int vertex, int triangl
   g.height = away.dot(g.normal);
   const double aside = (away - g.height * g.normal).squaredNorm();   // [m^2]
   g.near = g.height > -kPairBehind && g.height < kPairReach && aside < kPairAside * kPairAside;
-  if (g.near && g.height < 0.0 && aside > kLevel * kLevel) g.near = behindNeighbours(m, x, vertex, triangle, g.weight);
+  if (g.near && g.height < 0.0 && aside > kLevel * kLevel) g.near = behindNeighbours(m, now, vertex, triangle, g.weight);
   return g;
 }
 
-bool mayTouch(const Model& m, int vertex, int triangle) {
+bool mayTouch(const Model& m, int vertex, int triangle, const CutState* cut) {
+  if (cut && !cut->bare[vertex]) return false;
   bool free = !m.tissue.isFixed[vertex];
   for (int v : m.surface.triangles[triangle]) {
     if (v == vertex) return false;
     free = free || !m.tissue.isFixed[v];
     for (int e = m.surface.neighbourStart[v]; e < m.surface.neighbourStart[v + 1]; ++e)
-      if (m.surface.neighbour[e] == vertex) return false;
+      if (m.surface.neighbour[e] == vertex && (!cut || cut->tie[e])) return false;
   }
   return free;
 }
@@ -255,7 +268,7 @@ void searchPairs(const Model& m, State& s) {
   takeOut(turn, t, w);
   std::fill(w.ring.begin(), w.ring.end(), -1);   // no mark of an earlier step counts
   NearPairs& list = w.nearby[turn];
-  const bool calm = stayed(m, t.position, list);
+  const bool calm = list.goneTets == goneTets(s) && stayed(m, t.position, list);
   if (calm && list.whole) searchList(m, grid, turn, s);
   else searchCells(m, grid, turn, calm || list.used ? listScope(list) : Scope{}, s);
   for (int i = t.pairCount; i < before; ++i) { t.pairVertex[i] = t.pairTriangle[i] = -1; t.pairForce[i] = 0.0; }

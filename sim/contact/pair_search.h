@@ -27,10 +27,11 @@ struct PairGap {
   Vec3 normal = Vec3::UnitZ();                   // [1] outward
 };
 
-PairGap pairGap(const Model&, std::span<const Vec3> position, int vertex, int triangle);   // [m]
+PairGap pairGap(const Model&, const SurfaceNow&, int vertex, int triangle);
 
-/// False where contact has nothing to do: neighbours on the surface, which elasticity keeps apart, and what is held in place altogether.
-bool mayTouch(const Model&, int vertex, int triangle);
+/// False where contact has nothing to do: neighbours on the surface, which elasticity keeps apart, what is held in place altogether, and
+/// vertices that no cut has laid bare.
+bool mayTouch(const Model&, int vertex, int triangle, const CutState* cut = nullptr);
 
 /// Looks anew at the triangles whose turn it is at `state.step`: pairs that carry force stay, the others stay or come as they are near.
 void searchPairs(const Model&, State&);

@@ -33,13 +33,37 @@ std::vector<int> ownerTets(const TetMesh& mesh) {
   return owner;
 }
 
+/// Every interior face of a tet that can be cut, seen from either side.
+void addCutFaces(const TetMesh& mesh, SurfaceModel& s) {
+  for (std::size_t t = 0; t < mesh.cuttable.size(); ++t) {
+    for (int f = 0; f < 4; ++f) {
+      const int behind = s.tetNeighbour[t][f];
+      if (behind < 0 || !(mesh.cuttable[t] || mesh.cuttable[behind])) continue;
+      s.triangles.push_back(faceCorners(mesh.tets[t], f));
+      s.triangleTet.push_back(static_cast<int>(t));
+      s.triangleBehind.push_back(behind);
+    }
+  }
+}
+
+/// Where nothing can be cut every vertex of the surface is bare, and none is asked.
+bool canBeNear(const SurfaceModel& s, const SurfaceNow& now, int vertex) { return now.gone.empty() || exposedVertex(s, now.gone, vertex); }
+
 }  // namespace
+
+bool exposedVertex(const SurfaceModel& s, std::span<const std::uint8_t> gone, int vertex) {
+  for (int e = s.triangleStart[vertex]; e < s.triangleStart[vertex + 1]; ++e)
+    if (exposed(s, gone, s.triangleOf[e])) return true;
+  return false;
+}
 
 SurfaceModel buildSurface(const TetMesh& mesh) {
   SurfaceModel s;
   s.triangles = mesh.surface;
   s.triangleTet = ownerTets(mesh);
+  s.triangleBehind.assign(mesh.surface.size(), -1);
   s.tetNeighbour = faceNeighbours(mesh.tets);
+  addCutFaces(mesh, s);
   std::vector<std::vector<int>> triangles(mesh.vertices.size()), neighbours(mesh.vertices.size());
   for (std::size_t f = 0; f < s.triangles.size(); ++f) {
     for (int c = 0; c < 3; ++c) {
@@ -60,24 +84,25 @@ SurfaceModel buildSurface(const TetMesh& mesh) {
   return s;
 }
 
-int nearestVertex(const SurfaceModel& s, std::span<const Vec3> x, const Vec3& p) {
+int nearestVertex(const SurfaceModel& s, const SurfaceNow& now, const Vec3& p) {
   int best = s.vertices.front();
   double least = 1e300;                        // [m^2]
   for (int v : s.vertices) {
-    const double d2 = (x[v] - p).squaredNorm();
-    if (d2 < least) { least = d2; best = v; }
+    const double d2 = (now.position[v] - p).squaredNorm();
+    if (d2 < least && canBeNear(s, now, v)) { least = d2; best = v; }
   }
   return best;
 }
 
-SurfacePoint nearestSurface(const SurfaceModel& s, std::span<const Vec3> x, const Vec3& p, double reach, int& vertex) {
-  double least = (x[vertex] - p).squaredNorm();   // [m^2]
+SurfacePoint nearestSurface(const SurfaceModel& s, const SurfaceNow& now, const Vec3& p, double reach, int& vertex) {
+  const std::span<const Vec3> x = now.position;
+  double least = canBeNear(s, now, vertex) ? (x[vertex] - p).squaredNorm() : 1e300;   // [m^2]
   for (bool moved = true; moved;) {
     moved = false;
     const int from = vertex;
     for (int e = s.neighbourStart[from]; e < s.neighbourStart[from + 1]; ++e) {
       const double d2 = (x[s.neighbour[e]] - p).squaredNorm();
-      if (d2 < least) { least = d2; vertex = s.neighbour[e]; moved = true; }
+      if (d2 < least && canBeNear(s, now, s.neighbour[e])) { least = d2; vertex = s.neighbour[e]; moved = true; }
     }
   }
   SurfacePoint best;
@@ -86,6 +111,7 @@ SurfacePoint nearestSurface(const SurfaceModel& s, std::span<const Vec3> x, cons
   Vec3 normalSum = Vec3::Zero();
   for (int e = s.triangleStart[vertex]; e < s.triangleStart[vertex + 1]; ++e) {
     const int f = s.triangleOf[e];
+    if (!exposed(s, now.gone, f)) continue;
     const Vec3 &a = x[s.triangles[f][0]], &b = x[s.triangles[f][1]], &c = x[s.triangles[f][2]];
     const auto w = closestOnTriangle(p, a, b, c);
     const Vec3 q = mix(w, a, b, c);
@@ -101,6 +127,7 @@ SurfacePoint nearestSurface(const SurfaceModel& s, std::span<const Vec3> x, cons
       normalSum += normal;
     }
   }
+  if (best.triangle < 0) return best;          // round a vertex that nothing has laid bare
   const Vec3 away = p - best.point;
   const double distance = std::sqrt(nearest);
   const double side = away.dot(normalSum);

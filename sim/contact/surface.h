@@ -1,6 +1,7 @@
 #pragma once
 /// The tissue's surface as neighbours and owners, and the search for the surface point nearest to a moving sample.
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -9,16 +10,27 @@
 
 namespace halsted {
 
+/// First the boundary's triangles, as in the mesh; then, for every interior face of a tet that can be cut, one for each side.
 struct SurfaceModel {
   std::vector<std::array<int, 3>> triangles;       // outward, counter-clockwise
   std::vector<int> vertices;                       // vertices that lie on the surface, ascending
   std::vector<int> triangleTet;                    // owner tet of each triangle
+  std::vector<int> triangleBehind;                 // tet on its other side, -1 outside: it is bare only once that one is gone
   std::vector<int> triangleStart, triangleOf;      // triangles at each vertex (prefix sums, items)
   std::vector<int> neighbourStart, neighbour;      // vertices joined to each vertex by a surface edge
   std::vector<std::array<int, 4>> tetNeighbour;    // per tet and corner: tet behind the opposite face, -1 outside
 };
 
 SurfaceModel buildSurface(const TetMesh&);
+
+/// Can a triangle be touched? `gone` as in TissueState: per tet, empty where nothing can be cut.
+inline bool exposed(const SurfaceModel& s, std::span<const std::uint8_t> gone, int triangle) {
+  const int behind = s.triangleBehind[triangle];
+  if (gone.empty()) return behind < 0;
+  return !gone[s.triangleTet[triangle]] && (behind < 0 || gone[behind]);
+}
+/// A vertex of such a triangle.
+bool exposedVertex(const SurfaceModel&, std::span<const std::uint8_t> gone, int vertex);
 
 struct SurfacePoint {
   int triangle = -1;
@@ -27,12 +39,21 @@ struct SurfacePoint {
   double distance = 1e300;                         // [m] positive outside the material
 };
 
+/// The surface as it lies: its particles, and what of it is gone (per tet; empty where nothing can be cut).
+struct SurfaceNow {
+  std::span<const Vec3> position;                  // [m]
+  std::span<const std::uint8_t> gone;
+
+  SurfaceNow(std::span<const Vec3> x, std::span<const std::uint8_t> g = {}) : position(x), gone(g) {}
+  SurfaceNow(const std::vector<Vec3>& x, std::span<const std::uint8_t> g = {}) : position(x), gone(g) {}
+};
+
 /// Walks from `vertex` downhill to the nearest surface vertex (updated), then looks at the triangles round it.
 /// Farther than `reach` [m] from that vertex nothing is examined and `triangle` stays -1.
-SurfacePoint nearestSurface(const SurfaceModel&, std::span<const Vec3> position, const Vec3& p, double reach, int& vertex);
+SurfacePoint nearestSurface(const SurfaceModel&, const SurfaceNow&, const Vec3& p, double reach, int& vertex);
 
 /// Exhaustive search for the nearest surface vertex: to start or repair a walk.
-int nearestVertex(const SurfaceModel&, std::span<const Vec3> position, const Vec3& p);
+int nearestVertex(const SurfaceModel&, const SurfaceNow&, const Vec3& p);
 
 inline Vec3 pointOn(const SurfaceModel& s, std::span<const Vec3> x, int triangle, const std::array<double, 3>& w) {
   const auto& t = s.triangles[triangle];

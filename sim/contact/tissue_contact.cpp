@@ -57,14 +57,14 @@ bool gatherLoads(const Model& m, const State& s, std::vector<double>& load) {
   bool any = false;
   for (int i = 0; i < t.pairCount; ++i) {
     if (apart(m, t, i)) continue;
-    const PairGap g = pairGap(m, t.position, t.pairVertex[i], t.pairTriangle[i]);
+    const PairGap g = pairGap(m, {t.position, t.gone}, t.pairVertex[i], t.pairTriangle[i]);
     load[t.pairVertex[i]] += 1.0;
     for (int k = 0; k < 3; ++k) load[m.surface.triangles[t.pairTriangle[i]][k]] += g.weight[k];
     any = true;
   }
   if (!(m.params.anvil.radius > 0.0)) return any;
   for (int v : m.surface.vertices) {
-    if (!rodGap(m, t, v).touches) continue;
+    if ((s.cut && !s.cut->bare[v]) || !rodGap(m, t, v).touches) continue;
     load[v] += 1.0;
     any = true;
   }
@@ -90,7 +90,7 @@ void solvePairs(const Model& m, State& s) {
   for (int i = 0; i < t.pairCount; ++i) {
     if (apart(m, t, i)) continue;
     const int vertex = t.pairVertex[i], triangle = t.pairTriangle[i];
-    const PairGap g = pairGap(m, t.position, vertex, triangle);
+    const PairGap g = pairGap(m, {t.position, t.gone}, vertex, triangle);
     const auto& v = m.surface.triangles[triangle];
     const double both = give[vertex] + g.weight[0] * give[v[0]] + g.weight[1] * give[v[1]] + g.weight[2] * give[v[2]] + kLeastGive;   // [m/N]
     const double before = t.pairForce[i];
@@ -103,6 +103,7 @@ void solveRod(const Model& m, State& s) {
   TissueState& t = s.tissue;
   if (!(m.params.anvil.radius > 0.0)) return;
   for (int v : m.surface.vertices) {
+    if (s.cut && !s.cut->bare[v]) continue;
     const Vec3 old = t.rodForce[v];
     const RodGap g = rodGap(m, t, v);
     if (!g.touches && old.isZero(0.0)) continue;
@@ -140,7 +141,7 @@ void gatherTissueContact(const Model& m, const State& s, std::vector<Vec3>& noda
   for (std::size_t i = 0; i < t.rodForce.size(); ++i) nodal[i] += t.rodForce[i];
   for (int i = 0; i < t.pairCount; ++i) {
     if (t.pairForce[i] == 0.0) continue;
-    const PairGap g = pairGap(m, t.position, t.pairVertex[i], t.pairTriangle[i]);
+    const PairGap g = pairGap(m, {t.position, t.gone}, t.pairVertex[i], t.pairTriangle[i]);
     applyPair(m, g, t.pairVertex[i], t.pairTriangle[i], t.pairForce[i], nodal);
   }
 }

@@ -39,7 +39,8 @@ double shareInside(const std::array<double, 4>& from, const std::array<double, 4
 
 }  // namespace
 
-CutResult advanceCut(const Model& m, std::span<const Vec3> x, const Vec3& step, Hole& hole) {
+CutResult advanceCut(const Model& m, const SurfaceNow& tissue, const Vec3& step, Hole& hole) {
+  const std::span<const Vec3> x = tissue.position;
   constexpr double kEdge = 1e-9;               // [1] weight below which a point counts as outside
   const Vec3 target = pointAt(m, x, hole.tet, hole.weight) + step;
   int tet = hole.tet;
@@ -52,7 +53,7 @@ CutResult advanceCut(const Model& m, std::span<const Vec3> x, const Vec3& step, 
       return CutResult::kMoved;
     }
     const int next = m.surface.tetNeighbour[tet][out];
-    if (next < 0) {                            // the far side is outside the wall: stop on the face
+    if (next < 0 || (!tissue.gone.empty() && tissue.gone[next])) {                            // the far side is outside the wall: stop on the face
       const auto start = weightsAt(m, x, tet, target - step);
       const double share = shareInside(start, w);
       for (int c = 0; c < 4; ++c) hole.weight[c] = start[c] + share * (w[c] - start[c]);

@@ -14,6 +14,6 @@ struct CutLimits {
 enum class CutResult { kMoved, kAtSurface };
 
 /// Moves the hole's material point by `step` [m] in the deformed tissue; it stops on the surface when the path leaves the wall.
-CutResult advanceCut(const Model&, std::span<const Vec3> tissue, const Vec3& step, Hole&);
+CutResult advanceCut(const Model&, const SurfaceNow& tissue, const Vec3& step, Hole&);
 
 }  // namespace halsted

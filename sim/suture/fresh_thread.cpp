@@ -10,6 +10,7 @@
 #include "sim/suture/holes.h"
 #include "sim/suture/knotting.h"
 #include "sim/suture/stitch_course.h"
+#include "sim/tools/instrument.h"
 #include "sim/tools/load_driver.h"
 #include "sim/tools/tool_shape.h"
 
@@ -47,12 +48,13 @@ bool inTheWay(const Model& m, const State& s) {
   const Vec3 swage = driver.proxy.apply(loadedNeedle(m.strand).apply(m.strand.arcPoint.front()));
   const Vec3 end = swage - Vec3(0.0, m.strand.length, 0.0), down = end - swage;
   for (int v : m.surface.vertices) {
+    if (s.cut && !s.cut->bare[v]) continue;
     const Vec3& x = s.tissue.position[v];
     if ((x - swage - closestOnSegment(x, swage, end) * down).squaredNorm() < kFree * kFree) return true;
     if ((x - driver.proxy.position).norm() < 2.0 * m.strand.needle.radius + kFree) return true;
   }
   const ToolState& other = s.tools[kLeft];
-  const Vec3 hinge = other.proxy.apply(Vec3(0.0, 0.0, m.params.tools[kLeft].jawLength)), shaft = hinge - other.proxy.position;   // [m]
+  const Vec3 hinge = other.proxy.apply(Vec3(0.0, 0.0, toolOf(m, s, kLeft).jawLength)), shaft = hinge - other.proxy.position;   // [m]
   for (int i = 0; i < m.strand.nodes; ++i) {
     const Vec3 p = swage - Vec3(0.0, lengthAfter(m.strand, i), 0.0);
     if ((p - other.proxy.position - closestOnSegment(p, other.proxy.position, hinge) * shaft).squaredNorm() < kFree * kFree) return true;
@@ -69,6 +71,7 @@ bool handsEmpty(const State& s) {
 ThreadRefusal refusal(const Model& m, const State& s) {
   const bool stitch = s.strand.holeCount > 0;
   if (s.supply->left < 1) return ThreadRefusal::kNoneLeft;
+  if (toolOf(m, s, kRight).kind != ToolKind::kNeedleDriver) return ThreadRefusal::kNoDriver;
   if (!handsEmpty(s)) return ThreadRefusal::kHandsFull;
   if (stitch && !finishedLoop(m, s)) return ThreadRefusal::kNotTied;
   if (stitch && (s.strand.holeCount > TiedStitch::kMostHoles || s.stitches->count == TiedStitches::kMost)) return ThreadRefusal::kNoRoom;

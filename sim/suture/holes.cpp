@@ -112,7 +112,7 @@ Vec3 settleTip(const Model& m, State& state, int i, const Vec3& solved, StepOutp
   const CutLimits limits{needle.cutForce, needle.exitForce, kWithdrawForce};
   const double excess = pushed > 0.0 ? pushed - limits.cut : pushed + limits.withdraw;
   if ((pushed > 0.0) != (excess > 0.0)) return solved;
-  const CutResult cut = advanceCut(m, state.tissue.position, excess * state.work.holes.bound[i] * t, h);
+  const CutResult cut = advanceCut(m, {state.tissue.position, state.tissue.gone}, excess * state.work.holes.bound[i] * t, h);
   if (cut == CutResult::kAtSurface && pushed > limits.exit) {
     h.role = static_cast<std::int32_t>(HoleRole::kExit);
     out.contact[0].puncture = out.contact[1].puncture = true;
@@ -245,6 +245,16 @@ void settleHoles(const Model& m, State& state, StepOutput& out) {
   }
   removeLeftHoles(m, state, out);
   rememberSides(m, state);
+}
+
+void tearHolesInGone(const Model& m, State& state, StepOutput& out) {
+  StrandState& s = state.strand;
+  for (int i = s.holeCount - 1; i >= 0; --i) {
+    if (i >= s.holeCount || !state.tissue.gone[s.holes[i].tet]) continue;   // others of its bite went with one before
+    ++state.metrics.tears;
+    pushEvent(out, {state.step, EventKind::kChannelTorn, -1, s.holes[i].bite, s.holes[i].force.norm()});
+    dropBite(m, state, s.holes[i].bite);
+  }
 }
 
 bool openEntry(const Model& m, int triangle, const std::array<double, 3>& weight, const Vec3& normal, State& state, StepOutput& out) {

@@ -19,6 +19,9 @@ void settleHoles(const Model&, State&, StepOutput&);
 /// `normal` [1] points out of the tissue there.
 bool openEntry(const Model&, int triangle, const std::array<double, 3>& weight, const Vec3& normal, State&, StepOutput&);
 
+/// A hole in a tet that is gone has torn, and its bite with it.
+void tearHolesInGone(const Model&, State&, StepOutput&);
+
 /// True when a coordinate lies inside the wall: between the holes of one bite, behind a tip that is still inside, or between a hole and an end
 /// of the thread that is on its way through.
 bool insideWall(const Model&, const State&, double coordinate, double margin);   // [m]

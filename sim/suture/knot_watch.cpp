@@ -4,6 +4,7 @@
 
 #include "sim/strand/tool_winding.h"
 #include "sim/suture/holes.h"
+#include "sim/tools/instrument.h"
 
 namespace halsted {
 namespace {
@@ -51,7 +52,7 @@ void writeReading(const Model& m, const StrandState& s, const KnotReading& r, Kn
 
 /// Turns of the stretch of thread that lies about a tool's jaws or shaft.
 std::int32_t turnsOf(const Model& m, const State& s, int hand) {
-  const ToolParams& p = m.params.tools[hand];
+  const ToolParams& p = toolOf(m, s, hand);
   const Pose& tool = s.tools[hand].proxy;
   const double reach = kRoundTool * p.jawRadius;   // [m]
   int first = -1, last = -1;

@@ -15,7 +15,7 @@ static_assert(kStitchPoints == 2 * TiedStitch::kLeg + TiedStitch::kMostHoles, "a
 constexpr double kTrimmed = 4e-3;              // [m] of tail beyond the knot: what an assistant leaves of braided thread
 constexpr double kReach = 0.1;                 // [m]
 
-OverSurface overSurface(const Model& m, std::span<const Vec3> x, const Vec3& p) {   // [m]
+OverSurface overSurface(const Model& m, const SurfaceNow& x, const Vec3& p) {   // [m]
   int vertex = nearestVertex(m.surface, x, p);
   const SurfacePoint near = nearestSurface(m.surface, x, p, kReach, vertex);
   if (near.triangle < 0) return {};
@@ -36,7 +36,7 @@ Leg legOf(const Model& m, const State& s, double knot, double hole, double way) 
   const double place[TiedStitch::kLeg] = {knot + 2.0 * way * step, knot + way * step, knot, knot + toHole / 3.0, knot + 2.0 * toHole / 3.0};
   Leg leg;
   for (int i = 0; i < TiedStitch::kLeg; ++i)
-    leg[i] = overSurface(m, s.tissue.position, strandPoint(m.strand, s.strand, std::clamp(place[i], 0.0, m.strand.length)));
+    leg[i] = overSurface(m, {s.tissue.position, s.tissue.gone}, strandPoint(m.strand, s.strand, std::clamp(place[i], 0.0, m.strand.length)));
   return leg;
 }
 

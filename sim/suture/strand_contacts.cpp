@@ -142,7 +142,7 @@ bool throughWall(const Model& m, const Sample& x, const State& s, int fresh, int
 
 void touchTissue(const Model& m, const Sample& x, State& state, int& fresh) {
   StrandState& s = state.strand;
-  const auto& tissue = state.tissue.position;
+  const SurfaceNow tissue(state.tissue.position, state.tissue.gone);
   if (insideWall(m, state, x.coordinate, kLedSegments * segmentAt(m.strand, x.coordinate))) return;   // the samples next to a hole are led by it
   SurfacePoint near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
   const bool pressedIn = near.triangle >= 0 && near.distance < 0.0 && near.distance > -kSkinDepth;

@@ -6,7 +6,7 @@
 namespace halsted {
 
 /// Why the assistant hands no thread. kNone: the last one asked for was handed.
-enum class ThreadRefusal : std::int32_t { kNone, kNoneLeft, kHandsFull, kNotTied, kNoRoom, kInTheWay };
+enum class ThreadRefusal : std::int32_t { kNone, kNoneLeft, kHandsFull, kNotTied, kNoRoom, kInTheWay, kNoDriver };
 
 /// In a sentence, for the surgeon.
 inline const char* name(ThreadRefusal r) {
@@ -16,6 +16,7 @@ inline const char* name(ThreadRefusal r) {
     case ThreadRefusal::kHandsFull: return "let go of needle and thread first";
     case ThreadRefusal::kNotTied: return "the stitch is not tied and its needle not cut off";
     case ThreadRefusal::kNoRoom: return "this stitch has more holes than can be kept, or there are too many stitches";
+    case ThreadRefusal::kNoDriver: return "take the needle driver in the right hand first";
     case ThreadRefusal::kInTheWay: return "hold the needle driver clear of the wound, where the thread can hang free";
   }
   return "unknown";

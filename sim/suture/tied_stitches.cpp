@@ -85,7 +85,19 @@ void removeStitch(const Model& m, int which, double pull, State& s, StepOutput& 
   pushEvent(out, {s.step, EventKind::kChannelTorn, -1, which, pull});
 }
 
+bool inGone(const TiedStitch& s, std::span<const std::uint8_t> gone) {
+  for (int i = 0; i < s.holeCount; ++i)
+    if (gone[s.hole[i].tet]) return true;
+  return false;
+}
+
 }  // namespace
+
+void tearStitchesInGone(const Model& m, State& s, StepOutput& out) {
+  if (!s.stitches) return;
+  for (int k = s.stitches->count - 1; k >= 0; --k)
+    if (inGone(s.stitches->stitch[k], s.tissue.gone)) removeStitch(m, k, hardestPull(s.stitches->stitch[k]), s, out);
+}
 
 double loopLength(const Model& m, const TiedStitch& s, std::span<const Vec3> x) {
   Directions pull;

@@ -57,6 +57,9 @@ double loopLength(const Model&, const TiedStitch&, std::span<const Vec3> tissue)
 /// Adds what every loop pulled with at the end of the last step to the tissue's nodal forces.  [N]
 void gatherStitchForces(const Model&, const State&, std::vector<Vec3>& nodal);
 
+/// A stitch with a hole in a tet that is gone has torn out.
+void tearStitchesInGone(const Model&, State&, StepOutput&);
+
 /// Solves each loop's tension on the tissue's compliance, adds the change of force to `work.change`, removes what tore out.
 void settleStitches(const Model&, State&, StepOutput&);
 

@@ -222,6 +222,7 @@ void solveFactor(const ProjectiveModel& p, double* rows) { p.wide ? solveWide(p,
 void predictProjective(const TissueModel& m, std::span<const Vec3> force, TissueState& s, TissueWork& w) {
   const ProjectiveModel& p = m.projective;
   p.wide ? localStepWide(m, s, w) : localStep(m, s, w);
+  if (!s.gone.empty()) relaxGone(m, s, w);
   double* rows = w.rows.data();
   const double inertia = 1.0 / (m.dt * m.dt) + m.massDamping / m.dt;   // [1/s^2]
   for (int i = 0; i < p.size; ++i) {
@@ -230,7 +231,8 @@ void predictProjective(const TissueModel& m, std::span<const Vec3> force, Tissue
       const double* f = &w.scratch[p.corner[e]];
       elastic += Vec3(f[0], f[kLanes], f[2 * kLanes]);
     }
-    Vec3 rhs = m.mass[i] * (inertia * (s.position[i] - m.rest[i]) + s.velocity[i] / m.dt + m.gravity) + force[i] + elastic;
+    const Vec3 weight = s.left.empty() ? m.gravity : Vec3(s.left[i] * m.gravity);   // [m/s^2]
+    Vec3 rhs = m.mass[i] * (inertia * (s.position[i] - m.rest[i]) + s.velocity[i] / m.dt + weight) + force[i] + elastic;
     if (m.isFixed[i]) rhs.setZero();
     double* target = rows + 4 * p.permutation[i];
     target[0] = rhs.x(); target[1] = rhs.y(); target[2] = rhs.z(); target[3] = 0.0;

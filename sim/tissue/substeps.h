@@ -15,7 +15,8 @@ inline void beginSubstep(const TissueModel& m, std::span<const Vec3> force, doub
     w.target[i] = s.position[i];
     Vec3 moved = s.position[i];
     const double inverseMass = m.isFixed[i] ? 0.0 : 1.0 / m.mass[i];   // [1/kg]
-    if (!m.isFixed[i]) moved += h * (damping * s.velocity[i] + h * (m.gravity + inverseMass * force[i]));
+    const Vec3 weight = s.left.empty() ? m.gravity : Vec3(s.left[i] * m.gravity);   // [m/s^2]
+    if (!m.isFixed[i]) moved += h * (damping * s.velocity[i] + h * (weight + inverseMass * force[i]));
     row[0] = moved.x(); row[1] = moved.y(); row[2] = moved.z(); row[3] = inverseMass;
   }
 }

@@ -50,6 +50,8 @@ void buildElements(const TetMesh& mesh, double density, TissueModel& m) {
 
 TissueModel buildTissue(const TetMesh& mesh, const SimParams& params) {
   checkParams(params);
+  if (!mesh.cuttable.empty() && params.tissue.solver == TissueSolver::kShapeMatching)
+    throw std::invalid_argument("tissue.solver: shape_matching has no tissue that can be cut; projective and xpbd have");
   TissueModel m;
   m.solver = params.tissue.solver;
   m.dt = params.dt;
@@ -125,6 +127,7 @@ void finishTissue(const TissueModel& m, TissueState& s, const TissueWork& w) {
 double elasticEnergy(const TissueModel& m, const TissueState& s) {
   double sum = 0.0;                                                    // [J]
   for (std::size_t t = 0; t < m.tets.size(); ++t) {
+    if (!s.gone.empty() && s.gone[t]) continue;
     Mat3 edges;
     for (int c = 0; c < 3; ++c) edges.col(c) = s.position[m.tets[t][c + 1]] - s.position[m.tets[t][0]];
     const Mat3 F = edges * m.restInverse[t];

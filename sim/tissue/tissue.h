@@ -21,6 +21,9 @@ void predictTissue(const TissueModel&, std::span<const Vec3> force, TissueState&
 void applyForceChange(const TissueModel&, std::span<const Vec3> change, TissueState&, TissueWork&);
 void finishTissue(const TissueModel&, TissueState&, const TissueWork&);
 
+/// After the projective solver's local step: what the tets that are gone add to its right-hand side (sim/tissue/projective_gone.cpp).
+void relaxGone(const TissueModel&, TissueState&, TissueWork&);
+
 /// Elastic energy of the material that the solver stands for (shape matching: the corotated one that its constants come from).  [J]
 double elasticEnergy(const TissueModel&, const TissueState&);
 

@@ -13,6 +13,7 @@ struct Sweep {
   double* rows;                  // x, y, z [m], inverse mass [1/kg] per particle
   double deviatoric, volumetric; // [1/(Pa s^2)] 1 / (mu h^2), 1 / (lambda h^2)
   double restDeterminant;        // [1] 1 + mu / lambda: makes the rest state stress-free
+  const double* held;            // [1] [lane] 1, or 0 where the tet is gone; nullptr: none is gone here
 };
 
 template <typename L> struct Corner { LaneVec<L> x; L w; };
@@ -55,27 +56,46 @@ template <typename L> HALSTED_INLINE void projectGroup(const Sweep& s) {
   const L dh = p0.w * dot(d0, h0) + p1.w * dot(d1, h1) + p2.w * dot(d2, h2) + p3.w * dot(d3, h3);
   const L hh = p0.w * dot(h0, h0) + p1.w * dot(h1, h1) + p2.w * dot(h2, h2) + p3.w * dot(h3, h3) + s.volumetric * iv;
   const L scale = 1.0 / (dd * hh - dh * dh);                           // positive: a Gram matrix plus a positive diagonal
-  const L ld = scale * (dh * ch - hh * norm);
-  const L lh = scale * (dh * norm - dd * ch);
+  L ld = scale * (dh * ch - hh * norm);
+  L lh = scale * (dh * norm - dd * ch);
+  if (s.held) {                                                        // tets that are gone hold nothing
+    const L held = loadLanes<L>(s.held);
+    ld = held * ld;
+    lh = held * lh;
+  }
   storeCorner<L>(s, 0, p0, (-ld) * d0 - lh * h0);
   storeCorner<L>(s, 1, p1, ld * d1 + lh * h1);
   storeCorner<L>(s, 2, p2, ld * d2 + lh * h2);
   storeCorner<L>(s, 3, p3, ld * d3 + lh * h3);
 }
 
-template <typename L> HALSTED_INLINE void sweep(const XpbdModel& x, Sweep s) {
+/// False where no tet of the group is gone.
+HALSTED_INLINE bool markGone(const XpbdModel& x, int group, const std::vector<std::uint8_t>& gone, double* held) {   // [1]
+  bool any = false;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const bool away = gone[x.laneTet[group * kLanes + lane]] != 0;
+    held[lane] = away ? 0.0 : 1.0;
+    any = any || away;
+  }
+  return any;
+}
+
+template <typename L> HALSTED_INLINE void sweep(const XpbdModel& x, Sweep s, const std::vector<std::uint8_t>& gone) {
+  double held[kLanes];                                                 // [1]
   const int* vertex = s.vertex;
   const double *restInverse = s.restInverse, *inverseVolume = s.inverseVolume;   // [1/m], [1/m^3]
   for (int g = 0; g < x.groups; ++g) {
     s.vertex = vertex + g * 4 * kLanes;
     s.restInverse = restInverse + g * 9 * kLanes;
     s.inverseVolume = inverseVolume + g * kLanes;
+    s.held = !gone.empty() && markGone(x, g, gone, held) ? held : nullptr;
     projectGroup<L>(s);
   }
 }
 
-void sweepSerial(const XpbdModel& x, const Sweep& s) { sweep<Serial4>(x, s); }
-__attribute__((target("avx2"))) void sweepWide(const XpbdModel& x, const Sweep& s) { sweep<Lanes4>(x, s); }
+using GoneTets = std::vector<std::uint8_t>;
+void sweepSerial(const XpbdModel& x, const Sweep& s, const GoneTets& gone) { sweep<Serial4>(x, s, gone); }
+__attribute__((target("avx2"))) void sweepWide(const XpbdModel& x, const Sweep& s, const GoneTets& gone) { sweep<Lanes4>(x, s, gone); }
 
 }  // namespace
 
@@ -85,12 +105,12 @@ void predictXpbd(const TissueModel& m, std::span<const Vec3> force, TissueState&
   // The model's lambda is Lame's plus mu, or the linear response would be softer than E and nu say (Smith et al. 2018, sec. 3.4).
   const double lambda = m.material.lambda + m.material.mu;             // [Pa]
   const Sweep data{x.laneVertex.data(), x.laneRestInverse.data(), x.laneInverseVolume.data(), w.rows.data(),
-                   1.0 / (m.material.mu * h * h), 1.0 / (lambda * h * h), 1.0 + m.material.mu / lambda};
+                   1.0 / (m.material.mu * h * h), 1.0 / (lambda * h * h), 1.0 + m.material.mu / lambda, nullptr};
   for (int k = 0; k < x.substeps; ++k) {
     beginSubstep(m, force, h, s, w);
     switch (x.path) {
-      case LanePath::kSerial: sweepSerial(x, data); break;
-      case LanePath::kWide: sweepWide(x, data); break;
+      case LanePath::kSerial: sweepSerial(x, data, s.gone); break;
+      case LanePath::kWide: sweepWide(x, data, s.gone); break;
     }
     endSubstep(h, s, w);
   }

@@ -39,6 +39,7 @@ void appendGroup(const TissueModel& m, const int* tets, int count, XpbdModel& x)
   x.laneInverseVolume.resize(x.groups * kLanes);
   for (int lane = 0; lane < kLanes; ++lane) {
     const int t = tets[std::min(lane, count - 1)];
+    x.laneTet.push_back(t);
     for (int c = 0; c < 4; ++c) x.laneVertex[(g * 4 + c) * kLanes + lane] = m.tets[t][c];
     for (int e = 0; e < 9; ++e) x.laneRestInverse[(g * 9 + e) * kLanes + lane] = m.restInverse[t](e / 3, e % 3);
     x.laneInverseVolume[g * kLanes + lane] = 1.0 / m.restVolume[t];

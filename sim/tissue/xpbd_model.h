@@ -20,6 +20,7 @@ struct XpbdModel {
   std::vector<int> laneVertex;                 // [group][corner][lane]
   std::vector<double> laneRestInverse;         // [1/m] [group][9][lane], row-major
   std::vector<double> laneInverseVolume;       // [1/m^3] [group][lane]
+  std::vector<int> laneTet;                    // [group][lane]
   LanePath path = LanePath::kSerial;           // set by the builder to the widest the CPU has
 };
 

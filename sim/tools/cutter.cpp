@@ -3,6 +3,7 @@
 #include "sim/lanes.h"
 #include "sim/strand/strand.h"
 #include "sim/suture/holes.h"
+#include "sim/tools/instrument.h"
 
 namespace halsted {
 namespace {
@@ -18,7 +19,7 @@ bool betweenBlades(const Vec3& p) {            // [m] in the tool frame
 }  // namespace
 
 bool cutThread(const Model& m, int hand, State& s, StepOutput& out) {
-  if (!m.params.tools[hand].cutter || s.threadContacts.cut.empty()) return false;
+  if (!toolOf(m, s, hand).cutter || s.threadContacts.cut.empty()) return false;
   constexpr int kSamples = 4;                  // per segment
   for (int i = 0; i + 1 < m.strand.nodes; ++i) {
     if (s.threadContacts.cut[i]) continue;

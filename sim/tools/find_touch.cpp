@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/contact/geometry.h"
+#include "sim/tools/instrument.h"
 #include "sim/tools/tool_shape.h"
 
 namespace halsted {
@@ -151,6 +152,7 @@ bool looksElsewhere(const Vec3& normal, std::span<const TouchPoint> taken) {
 bool listNear(const Model& m, const State& s, const CapsuleShape& around, ToolState& t) {
   t.nearCount = 0;
   for (std::size_t f = 0; f < m.surface.triangles.size(); ++f) {
+    if (s.cut && !exposed(m.surface, s.tissue.gone, static_cast<int>(f))) continue;
     const Vec3& x = s.tissue.position[m.surface.triangles[f][0]];
     const Vec3 axis = around.a + closestOnSegment(x, around.a, around.b) * (around.b - around.a);
     if ((x - axis).squaredNorm() >= around.radius * around.radius) continue;
@@ -163,9 +165,12 @@ bool listNear(const Model& m, const State& s, const CapsuleShape& around, ToolSt
 }  // namespace
 
 void refreshNear(const Model& m, int hand, State& s) {
+  if (s.step % kRefreshInterval == static_cast<unsigned>(hand)) listNearTriangles(m, hand, s);
+}
+
+void listNearTriangles(const Model& m, int hand, State& s) {
   ToolState& t = s.tools[hand];
-  if (s.step % kRefreshInterval != static_cast<unsigned>(hand)) return;
-  const ToolParams& p = m.params.tools[hand];
+  const ToolParams& p = toolOf(m, s, hand);
   const Vec3 tip = t.proxy.position, top = t.proxy.apply(Vec3(0.0, 0.0, p.jawLength + p.shaftLength));
   // Where the list would overflow (a shaft lying along a finely meshed wall) the farthest are left out, not the last by index.
   for (double reach = p.shaftRadius + kNearReach;; reach *= 0.9)
@@ -178,7 +183,7 @@ void findContacts(const Model& m, int hand, const Pose& before, State& s) {
   TouchWork& w = s.work.touch;
   const int first = w.count;
   const double back = std::fmin(kMostBack, t.force.norm() / m.params.tools[hand].couplingStiffness);   // [m]
-  const auto capsules = toolCapsules(m.params.tools[hand], t.jaw);
+  const auto capsules = toolCapsules(toolOf(m, s, hand), t.jaw);
   for (int c = 0; c < kSolidsPerTool; ++c) {
     const CapsuleShape capsule = placed(capsules[c], t.proxy);
     for (int i = 0; i < t.nearCount; ++i) {
@@ -197,7 +202,7 @@ void findContacts(const Model& m, int hand, const Pose& before, State& s) {
 
 int findAhead(const Model& m, int hand, const State& s, double margin, std::span<TouchPoint> found) {   // [m]
   const ToolState& t = s.tools[hand];
-  const auto capsules = toolCapsules(m.params.tools[hand], t.jaw);
+  const auto capsules = toolCapsules(toolOf(m, s, hand), t.jaw);
   int count = 0;
   for (bool more = true; more && count < static_cast<int>(found.size());) {
     TouchPoint best;
@@ -228,7 +233,7 @@ void findGrasps(const Model& m, int hand, State& s) {
     p.toolPoint = t.proxy.apply(t.graspLocal[g]);
     p.slide = pointOn(m.surface, s.tissue.position, p.triangle, p.weight) - p.toolPoint;
     p.old = p.force = t.graspForce[g];
-    p.slipLimit = m.params.tools[hand].gripForce / t.graspCount;
+    p.slipLimit = toolOf(m, s, hand).gripForce / t.graspCount;
     s.work.touch.point[s.work.touch.count++] = p;
   }
 }

@@ -8,6 +8,7 @@ namespace halsted {
 
 /// Refreshes the list of triangles near a tool every few steps.
 void refreshNear(const Model&, int hand, State&);
+void listNearTriangles(const Model&, int hand, State&);   // at once
 
 /// Appends the tool's contacts and grasps at the predicted tissue to `work.touch`.
 void findContacts(const Model&, int hand, const Pose& before, State&);

@@ -6,6 +6,7 @@
 #include "sim/suture/holes.h"
 #include "sim/suture/knotting.h"
 #include "sim/tools/cutter.h"
+#include "sim/tools/instrument.h"
 #include "sim/tools/jaw_rest.h"
 #include "sim/tools/touch.h"
 
@@ -30,7 +31,7 @@ double fromJaws(const ToolState& t, const Vec3& p) {
 
 bool graspNeedle(const Model& m, int hand, State& s) {
   ToolState& t = s.tools[hand];
-  double best = m.params.tools[hand].captureRadius;      // [m]
+  double best = toolOf(m, s, hand).captureRadius;      // [m]
   const double arc = tipCoordinate(m.strand) - m.strand.length;
   for (int i = 0; i <= kScan; ++i) {
     const double coordinate = m.strand.length + 1e-9 + arc * i / kScan;
@@ -48,7 +49,7 @@ bool graspNeedle(const Model& m, int hand, State& s) {
 
 bool graspThread(const Model& m, int hand, State& s) {
   ToolState& t = s.tools[hand];
-  double best = m.params.tools[hand].captureRadius;      // [m]
+  double best = toolOf(m, s, hand).captureRadius;      // [m]
   for (int i = 0; i + 1 < m.strand.nodes; ++i) {
     for (int half = 0; half < 2; ++half) {
       const double coordinate = coordinateAt(m.strand, i, 0.5 * half);
@@ -63,9 +64,10 @@ bool graspThread(const Model& m, int hand, State& s) {
 /// Holds the surface points nearest to the jaws' middle line, at most one a triangle vertex neighbourhood, nearest first.
 bool graspTissue(const Model& m, int hand, State& s) {
   ToolState& t = s.tools[hand];
-  const double reach = m.params.tools[hand].captureRadius;
+  const double reach = toolOf(m, s, hand).captureRadius;
   const Vec3 a = t.proxy.position, b = t.proxy.apply(Vec3(0.0, 0.0, kJawDepth));
   for (std::size_t f = 0; f < m.surface.triangles.size() && t.graspCount < ToolState::kMaxGrasp; ++f) {
+    if (s.cut && !exposed(m.surface, s.tissue.gone, static_cast<int>(f))) continue;
     const auto& v = m.surface.triangles[f];
     const auto& x = s.tissue.position;
     if ((x[v[0]] - a).norm() > reach + kJawDepth + 8e-3) continue;
@@ -82,17 +84,6 @@ bool graspTissue(const Model& m, int hand, State& s) {
     t.graspForce[g].setZero();
   }
   return t.graspCount > 0;
-}
-
-void dropPoint(ToolState& t, int g) {
-  const int last = --t.graspCount;
-  t.graspTriangle[g] = t.graspTriangle[last];
-  t.graspWeight[g] = t.graspWeight[last];
-  t.graspLocal[g] = t.graspLocal[last];
-  t.graspForce[g] = t.graspForce[last];
-  t.graspTriangle[last] = -1;
-  t.graspWeight[last] = {};
-  t.graspLocal[last] = t.graspForce[last] = Vec3::Zero();
 }
 
 void release(const Model& m, int hand, State& s, StepOutput& out) {
@@ -115,6 +106,7 @@ void release(const Model& m, int hand, State& s, StepOutput& out) {
 }
 
 void close(const Model& m, int hand, State& s, StepOutput& out) {
+  if (toolOf(m, s, hand).kind == ToolKind::kElectrocautery) return;   // its hand only switches the current
   if (cutThread(m, hand, s, out)) return;
   if (graspNeedle(m, hand, s)) pushEvent(out, {s.step, EventKind::kNeedleGrasped, hand, -1, s.tools[hand].needleCoordinate});
   else if (graspThread(m, hand, s)) pushEvent(out, {s.step, EventKind::kThreadGrasped, hand, -1, s.tools[hand].threadCoordinate});
@@ -131,6 +123,17 @@ double seriesStiffness(const Model& m, int hand) {
 }
 
 }  // namespace
+
+void dropGraspPoint(ToolState& t, int g) {
+  const int last = --t.graspCount;
+  t.graspTriangle[g] = t.graspTriangle[last];
+  t.graspWeight[g] = t.graspWeight[last];
+  t.graspLocal[g] = t.graspLocal[last];
+  t.graspForce[g] = t.graspForce[last];
+  t.graspTriangle[last] = -1;
+  t.graspWeight[last] = {};
+  t.graspLocal[last] = t.graspForce[last] = Vec3::Zero();
+}
 
 void moveTool(const Model& m, int hand, const ToolSample& sample, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];
@@ -204,7 +207,7 @@ void settleGrasp(const Model& m, int hand, const GraspLinks& links, State& s, St
 void slipGrasp(const Model& m, int hand, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];
   if (t.graspCount == 0) return;
-  const double limit = m.params.tools[hand].gripForce / t.graspCount, reach = m.params.tools[hand].captureRadius;   // [N] [m]
+  const double limit = toolOf(m, s, hand).gripForce / t.graspCount, reach = toolOf(m, s, hand).captureRadius;   // [N] [m]
   const int before = t.graspCount;
   const double held = touchForce(t).norm();    // [N]
   for (int g = t.graspCount - 1; g >= 0; --g) {
@@ -214,7 +217,7 @@ void slipGrasp(const Model& m, int hand, State& s, StepOutput& out) {
     if (fromJaws(t, now) < kSlipReach * reach) continue;
     const auto& v = m.surface.triangles[t.graspTriangle[g]];
     for (int k = 0; k < 3; ++k) s.work.change[v[k]] -= t.graspWeight[g][k] * t.graspForce[g];
-    dropPoint(t, g);
+    dropGraspPoint(t, g);
   }
   if (t.graspCount == before) return;
   if (t.graspCount == 0) pushEvent(out, {s.step, EventKind::kTissueReleased, hand, -1, held});

@@ -19,6 +19,9 @@ void settleGrasp(const Model&, int hand, const GraspLinks&, State&, StepOutput&)
 /// After the tissue has answered to the grasp's forces; before the tool moves on.
 void slipGrasp(const Model&, int hand, State&, StepOutput&);
 
+/// Takes one held point of tissue out of the list.
+void dropGraspPoint(ToolState&, int point);
+
 /// Total force on the hand and the proxy that follows from it: proxy = device + force / coupling.
 void updateProxy(const Model&, int hand, State&);
 

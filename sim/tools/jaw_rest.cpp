@@ -5,6 +5,7 @@
 #include "sim/portable_math.h"
 #include "sim/strand/strand.h"
 #include "sim/suture/knotting.h"
+#include "sim/tools/instrument.h"
 
 namespace halsted {
 namespace {
@@ -23,8 +24,8 @@ double openedTo(const ToolParams& p, double height) {   // [m]
 
 double restingJaw(const Model& m, int hand, const State& s, double wanted) {
   const ToolState& t = s.tools[hand];
-  if (!m.params.thread.knots || t.holdsNeedle || wanted >= t.jaw) return wanted;
-  const ToolParams& p = m.params.tools[hand];
+  const ToolParams& p = toolOf(m, s, hand);
+  if (!m.params.thread.knots || t.holdsNeedle || wanted >= t.jaw || p.kind == ToolKind::kElectrocautery) return wanted;
   // A strand across the jaws gives by this much under their force: half its thickness less what is squeezed.
   const double squeezed = kClosing / (2.0 * p.jawRadius * m.params.thread.lateralModulus);   // [m]
   const double half = std::fmax(0.0, m.strand.radius - squeezed);                            // [m]

@@ -10,6 +10,12 @@ double holdCoordinate(const StrandModel& m) { return m.length + kHoldShare * (ti
 
 }  // namespace
 
+bool beginsWithNeedle(const Model& m) { return m.params.tools[kRight].kind != ToolKind::kElectrocautery; }
+
+bool threadOnTable(const Model& m, const State& s) { return !beginsWithNeedle(m) && !(s.supply && s.supply->handed > 0); }
+
+Pose needleOnTable() { return {Vec3(0.0, -0.2, -0.6), Quat::Identity()}; }
+
 Pose loadedNeedle(const StrandModel& m) {
   Vec3 point, tangent;
   arcAt(m, holdCoordinate(m), point, tangent);

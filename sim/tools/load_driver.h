@@ -6,6 +6,12 @@
 
 namespace halsted {
 
+/// Where the right hand begins with a pen the needled thread lies on the instrument table, out of the field, and does not move until a
+/// thread has been handed.
+bool beginsWithNeedle(const Model&);
+bool threadOnTable(const Model&, const State&);
+Pose needleOnTable();
+
 /// The needle's frame in the driver's.
 Pose loadedNeedle(const StrandModel&);
 

@@ -1,6 +1,7 @@
 #include "sim/tools/tool_shape.h"
 
 #include "sim/portable_math.h"
+#include "sim/tools/instrument.h"
 
 namespace halsted {
 
@@ -10,6 +11,9 @@ std::array<CapsuleShape, kSolidsPerTool> toolCapsules(const ToolParams& t, doubl
   constexpr double kHalfDegree = kPi / 360.0;  // half the angle between the jaws, small enough to be its tangent [rad]
   const double open = t.jawRadius + jaw * t.jawAngleDegrees * kHalfDegree * t.jawLength;   // [m] tip offset from the middle
   const Vec3 hinge(0.0, 0.0, t.jawLength);
+  if (t.kind == ToolKind::kElectrocautery)     // one blade, and its hilt
+    return {CapsuleShape{Vec3::Zero(), hinge, t.jawRadius}, CapsuleShape{hinge, hinge, t.shaftRadius},
+            CapsuleShape{hinge, hinge + Vec3(0.0, 0.0, t.shaftLength), t.shaftRadius}};
   const Vec3 side(t.jawRadius, 0.0, 0.0);
   return {CapsuleShape{Vec3(open, 0.0, 0.0), hinge + side, t.jawRadius}, CapsuleShape{Vec3(-open, 0.0, 0.0), hinge - side, t.jawRadius},
           CapsuleShape{hinge, hinge + Vec3(0.0, 0.0, t.shaftLength), t.shaftRadius}};
@@ -18,7 +22,7 @@ std::array<CapsuleShape, kSolidsPerTool> toolCapsules(const ToolParams& t, doubl
 std::array<CapsuleShape, kSolids> worldSolids(const Model& m, const State& s) {
   std::array<CapsuleShape, kSolids> all;
   for (int hand = 0; hand < kHands; ++hand) {
-    const auto parts = toolCapsules(m.params.tools[hand], s.tools[hand].jaw);
+    const auto parts = toolCapsules(toolOf(m, s, hand), s.tools[hand].jaw);
     for (int k = 0; k < kSolidsPerTool; ++k) all[hand * kSolidsPerTool + k] = placed(parts[k], s.tools[hand].proxy);
   }
   const RodParams& rod = m.params.anvil;

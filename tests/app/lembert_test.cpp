@@ -1,10 +1,8 @@
-/// Interrupted Lembert stitches by physics, from one script with the beginner's knot; and that a thread asked for is part of the record.
+/// Interrupted Lembert stitches by physics, from one script with the beginner's knot.
 #include <algorithm>
 #include <fstream>
 #include <map>
 
-#include "app/session/session_writer.h"
-#include "app/verifier.h"
 #include "sim/outcome.h"
 #include "sim/whole_seam.h"
 #include "tests/app/scenario_for_tests.h"
@@ -23,36 +21,6 @@ std::string scriptAt(const TemporaryFolder& folder, const std::string& places) {
   const std::string path = folder.file("expert.toml");
   std::ofstream(path) << text;
   return path;
-}
-
-/// An unused thread is put away and a new one taken: recorded, it comes at the same step.
-TEST(FreshThreadCommand, IsRecordedAndReplays) {
-  const TemporaryFolder folder;
-  const std::string script = folder.file("expert.toml"), session = folder.file("a.halsted");
-  std::ofstream(script) << "scene = \"lembert\"\n[[action]]\ndo = \"fresh_thread\"\n[[action]]\ndo = \"hold\"\nlimit_s = 0.1\n";
-  const Scenario scenario = scenarioFromFile(script, {});
-  Lockstep run(scenario);
-  int asked = 0;
-  {
-    SessionWriter writer(session, sessionHeader(scenario, ""));
-    while (run.advance()) {
-      writer.addStep(run.input(), hash(run.state()));
-      asked += run.input().command.kind == Command::Kind::kFreshThread;
-    }
-    writer.close();
-  }
-  EXPECT_EQ(run.failure(), "");
-  EXPECT_EQ(asked, 1);
-  EXPECT_EQ(run.state().supply->handed, 1);
-  EXPECT_EQ(run.state().stitches->count, 0);   // there was no stitch
-  EXPECT_TRUE(run.state().tools[kRight].holdsNeedle);
-  const Scenario again = scenarioFromFile(session, {});
-  Lockstep replay(again);
-  Verifier verifier;
-  while (replay.advance() && verifier.check(replay)) {}
-  EXPECT_EQ(verifier.message(), "");
-  EXPECT_EQ(verifier.stepsChecked(), run.state().step);
-  EXPECT_EQ(replay.state().supply->handed, 1);
 }
 
 struct Worst {

@@ -24,6 +24,16 @@ TEST(StitchPlaces, RepeatTheActionsWithMirroredAnglesAndAThreadBetween) {
   }
 }
 
+TEST(StitchPlaces, DoOnceWhatComesBeforeTheInstrumentsAreChangedForSewing) {
+  const std::string before = "[[action]]\ndo = \"hold\"\n[[action]]\ndo = \"change_tools\"\n[[action]]\ndo = \"fresh_thread\"\n";
+  const std::string stitch = "[[action]]\ndo = \"bite\"\nbowel = 1\nangle_deg = 90\n[[action]]\ndo = \"cut\"\n";
+  const auto script = scenes::parseExpert("scene = \"lembert\"\nstitch_at_deg = [0, 20]\n" + before + stitch, "test");
+  ASSERT_EQ(script.actions.size(), 8u);
+  const char* kinds[] = {"hold", "change_tools", "fresh_thread", "bite", "cut", "fresh_thread", "bite", "cut"};
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(script.actions[i].kind, kinds[i]);
+  EXPECT_DOUBLE_EQ(script.actions[6].angleDegrees, 110.0);
+}
+
 TEST(StitchPlaces, AreAnglesAndNotTooMany) {
   const auto parse = [](const std::string& places) { scenes::parseExpert("scene = \"lembert\"\nstitch_at_deg = " + places + "\n" + kStitch, "test"); };
   testing::expectRefused([&] { parse("[]"); }, {"test:2", "stitch_at_deg", "1 to 60"});

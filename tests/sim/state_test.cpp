@@ -84,6 +84,7 @@ TEST(StateFields, EveryByteOutsideVectorsIsInTheListOrPadding) {
   State s = smallState();
   s.strand.holeCount = StrandState::kMaxHoles;   // all of every table is in use
   s.threadContacts.drag.assign(1, 0.0);        // a scene whose thread meets itself
+  s.tissue.gone.assign(1, 0);                  // and whose tissue can be cut
   s.threadContacts.count = ThreadContactState::kMaxContacts;
   s.knot.watched = true;
   Coverage coverage{reinterpret_cast<const unsigned char*>(&s), std::vector<char>(sizeof s, 0)};
