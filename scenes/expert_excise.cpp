@@ -1,5 +1,6 @@
 /// An excision: the left hand's clamp takes the fold, the right hand's pen goes round one wall and then the other, and the clamp carries off
 /// what has come free. Hands move, nothing else.
+#include <algorithm>
 #include <cmath>
 
 #include "scenes/expert_state.h"
@@ -80,12 +81,12 @@ Pose penAt(const Scene& s, const RingPlace& place, double depth) {          // [
 }
 
 /// Nobody lets a blade deeper than the wall is thick: as deep as was said under the surface of the ring ahead, which is whole yet. What is
-/// cut gives way under the blade and tells nothing.
+/// cut gives way under the blade and tells nothing. Where it has come down in vain, the wall has sunk in: deeper and longer every time.
 Vec3 noDeeper(const Scene& s, const Vec3& place) {   // [m]
-  constexpr double kAhead = 3.0;               // [1] columns
+  constexpr double kAhead = 3.0, kDeeper = 0.3e-3;   // [1] columns [m]
   const CutCourse& c = s.memory.cut;
   const Vec3 centre = centreOf(c.ring, s.state), from = place - centre;     // [m]
-  const double least = (placeOnRing(c.ring, s.state, c.first + c.done + kAhead).point - centre).norm() - s.action.depth;   // [m]
+  const double least = (placeOnRing(c.ring, s.state, c.first + c.done + kAhead).point - centre).norm() - s.action.depth - kDeeper * c.vain;   // [m]
   const double far = from.norm();              // [m]
   return far < least ? Vec3(centre + least / far * from) : place;
 }
@@ -93,21 +94,23 @@ Vec3 noDeeper(const Scene& s, const Vec3& place) {   // [m]
 /// Onto the nearest bridge of the first part that has not parted, and on round the wall as soon as it has; where the blade only leans
 /// against the wall and nothing burns, out of the wall and down on it. True when none is left.
 bool followBridges(const Scene& s, Pose& pen) {
-  constexpr double kSilent = 0.12, kClear = 0.8e-3, kThere = 1.0e-3, kLead = 0.45e-3;   // [s] [m] over the surface [m] [m]
+  constexpr double kSilent = 0.12, kClear = 0.8e-3, kThere = 1.0e-3, kLead = 0.45e-3, kPatience = 3.0;   // [s] [m] over the surface [m] [m] [s]
+  constexpr int kMostVain = 8;
   CutCourse& c = s.memory.cut;
   const int around = static_cast<int>(c.ring.column.size());
   Bridge bridge;
   while (c.done < around && !bridgeAt(c.ring, s.model, s.state, c.first + c.done, bridge)) ++c.done;
   if (c.done == around) return true;
   c.quiet = s.state.metrics.cut->current ? 0.0 : c.quiet + s.dt;
-  if (c.quiet > kSilent) c.lifted = true;
+  if (s.state.metrics.cut->current) c.vain = 0;
   const RingPlace place = placeOnRing(c.ring, s.state, c.first + c.done + 0.5);
   const double depth = (place.point - bridge.middle).dot(place.out);       // [m]
   pen = penAt(s, {bridge.middle, place.out}, c.lifted ? -depth - kClear : 0.0);
   if (!c.lifted) pen.position = noDeeper(s, pen.position);
   const Vec3& tip = s.state.tools[kRight].proxy.position;
   const Vec3 way = pen.position - tip;         // [m]
-  if (c.lifted && way.norm() < kThere) { c.lifted = false; c.quiet = 0.0; }
+  if (c.lifted && (way.norm() < kThere || c.quiet > kPatience)) { c.lifted = false; c.quiet = 0.0; }
+  else if (!c.lifted && c.quiet > kSilent * (1 + c.vain)) { c.lifted = true; c.vain = std::min(c.vain + 1, kMostVain); }
   if (!c.lifted && way.norm() > kLead) pen.position = tip + kLead / way.norm() * way;     // led, not pushed
   return false;
 }

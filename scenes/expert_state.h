@@ -23,6 +23,7 @@ struct CutCourse {
   int first = 0, done = 0;                     // columns: where it began; parted since, one after the other
   double quiet = 0.0;                          // [s] since current last flowed
   bool lifted = false;                         // on its way out of the wall, to come down anew
+  int vain = 0;                                // how often it has come down since and met nothing
 };
 
 struct ExpertState {
