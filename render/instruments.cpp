@@ -109,7 +109,7 @@ Pose halfPose(const Instrument& instrument, int half, double jaw, const Pose& to
 void addRod(Shape& shape, const CapsuleShape& rod) {
   const Vec3 along = rod.b - rod.a;                         // [m]
   const double length = along.norm(), r = rod.radius;      // [m]
-  const Pose pose{rod.a, Quat::FromTwoVectors(Vec3::UnitZ(), length > 0.0 ? along : Vec3(Vec3::UnitZ()))};
+  const Pose pose{rod.a, turnOnto(Vec3::UnitZ(), length > 0.0 ? along : Vec3(Vec3::UnitZ()))};
   std::vector<std::array<double, 2>> profile{{0.05 * r, -r}, {0.7 * r, -0.7 * r}, {r, 0.0}};   // [m]
   for (double from : {length - 3.4 * r, length - 1.5 * r}) {   // [m] two grooves that a stapler's clip snaps into
     if (from < 0.5 * r) continue;

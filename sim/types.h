@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace halsted {
@@ -31,6 +32,20 @@ struct Pose {
 // The pose b, given in the frame of a, in the frame that a is given in.
 inline Pose compose(const Pose& a, const Pose& b) { return {a.apply(b.position), (a.orientation * b.orientation).normalized()}; }
 inline Pose inverse(const Pose& a) { return {-(a.orientation.conjugate() * a.position), a.orientation.conjugate()}; }
+
+/// The least turn that brings one direction onto another; about any axis square to them where they are opposite. To the bit what Eigen's
+/// FromTwoVectors gives elsewhere, whose decomposition for opposite ones takes each file that calls it seven seconds to compile.
+inline Quat turnOnto(const Vec3& from, const Vec3& to) {
+  const Vec3 a = from.normalized(), b = to.normalized();
+  const double both = 1.0 + b.dot(a);        // [1] 0 for opposite ones
+  if (both < 1e-12) {
+    const Vec3 axis = a.unitOrthogonal();
+    return Quat(0.0, axis.x(), axis.y(), axis.z());
+  }
+  const double twice = std::sqrt(2.0 * both);   // [1] 2 cos of half the angle
+  const Vec3 axis = a.cross(b) * (1.0 / twice);
+  return Quat(0.5 * twice, axis.x(), axis.y(), axis.z());
+}
 
 inline constexpr int kHands = 2;             // hand 0 is the left, hand 1 the right
 inline constexpr int kLeft = 0, kRight = 1;

@@ -70,7 +70,7 @@ std::array<Pose, kHands> handsAt(const Model& m, const std::array<Pose, kHands>&
   Vec3 swage, tangent;
   arcAt(m.strand, m.strand.length, swage, tangent);
   const Vec3 along = (l.path.back() - l.path[l.path.size() - 2]).normalized();
-  const Quat turn = Quat::FromTwoVectors(tangent, along);
+  const Quat turn = turnOnto(tangent, along);
   const Pose needle{l.path.back() - turn * swage, turn};
   const Quat tool = (needle.orientation * inTool.orientation.conjugate()).normalized();
   return {start[kLeft], Pose{needle.position - tool * inTool.position, tool}};

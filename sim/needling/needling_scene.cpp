@@ -25,7 +25,7 @@ Pose needlePose(const BodyModel& m, const State& s) {
   const Pose& hand = s.tools[m.needleHand].device;
   const NeedlingState& n = *s.needling;
   if (n.layers[0].phase != LayerPhase::kPunctured) return hand;
-  const Quat onto = Quat::FromTwoVectors(hand.orientation * Vec3::UnitZ(), Vec3(-n.axis));
+  const Quat onto = turnOnto(hand.orientation * Vec3::UnitZ(), Vec3(-n.axis));
   return {n.entry + n.depth * n.axis, (onto * hand.orientation).normalized()};
 }
 

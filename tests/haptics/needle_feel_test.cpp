@@ -17,7 +17,7 @@ std::vector<DeviceReading> inAndOut(double depth, double speed) {
   std::vector<DeviceReading> readings;
   const auto add = [&](double y) {             // [m]
     DeviceReading r = readingAt(Vec3(0, y, 0));
-    r.pose.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitY());
+    r.pose.orientation = turnOnto(Vec3::UnitZ(), Vec3::UnitY());
     readings.push_back(r);
   };
   const int steps = static_cast<int>((depth + 3e-3) / (speed * 1e-3));

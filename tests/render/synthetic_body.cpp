@@ -87,7 +87,7 @@ RenderSnapshot syntheticNeedling(const RenderScene& scene, double depth, double 
   s.tissue = scene.tissueRest;
   constexpr double kCore = 0.5e-3;                       // [m] half width of the dent
   for (Vec3& p : s.tissue) p.y() -= dimple * kCore / std::max(kCore, std::hypot(p.x(), p.z()));
-  const Quat up = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitY());
+  const Quat up = turnOnto(Vec3::UnitZ(), Vec3::UnitY());
   s.tools[kLeft].pose = {placeOn(0, 27, 1), up};
   s.tools[kRight].pose = {Vec3(0, -depth, 0), up};
   s.needling.depth = depth;

@@ -107,7 +107,7 @@ RenderScene syntheticScene(const SyntheticSize& size) {
 }
 
 Pose toolPose(const Vec3& tip, const Vec3& hand, double spin) {
-  const Quat up = Quat::FromTwoVectors(Vec3::UnitZ(), hand - tip);
+  const Quat up = turnOnto(Vec3::UnitZ(), hand - tip);
   return {tip, up * Quat(Eigen::AngleAxisd(spin, Vec3::UnitZ()))};
 }
 

@@ -144,7 +144,7 @@ class SewnEnds {
       const Vec3 d = corner[leg + 1] - corner[leg];
       s.position[i] = corner[leg] + (model.strand.place[i] - before) / d.norm() * d;
     }
-    s.needle.orientation = Quat::FromTwoVectors(model.strand.arcTangent.front(), tailWay(kRight));
+    s.needle.orientation = turnOnto(model.strand.arcTangent.front(), tailWay(kRight));
     s.needle.position += s.position.back() - s.needle.apply(model.strand.arcPoint.front());
   }
 

@@ -78,7 +78,7 @@ struct TiedWall : ThreadedWall {
       state.strand.position[i] = corners[leg] + (model.strand.place[i] - before) / d.norm() * d;
     }
     Pose& needle = state.strand.needle;
-    needle.orientation = Quat::FromTwoVectors(model.strand.arcTangent.front(), Vec3::UnitZ());
+    needle.orientation = turnOnto(model.strand.arcTangent.front(), Vec3::UnitZ());
     needle.position += state.strand.position.back() - needle.apply(model.strand.arcPoint.front());
   }
 };

@@ -66,7 +66,7 @@ struct KnotRig {
   static Pose needlePose(const StrandModel& m, const std::vector<Vec3>& curve) {
     Pose pose;
     const Vec3 along = (curve.back() - curve[curve.size() - 2]).normalized();
-    pose.orientation = Quat::FromTwoVectors(m.arcTangent.front(), along);
+    pose.orientation = turnOnto(m.arcTangent.front(), along);
     pose.position = curve.back() - pose.orientation * m.arcPoint.front();
     return pose;
   }

@@ -82,9 +82,9 @@ TEST_F(TrainUsb, APulledCablePausesTheSessionAndItGoesOn) {
   const ProcessResult result = running.get();
   EXPECT_THAT(result.errors, HasSubstr("the left device is away (unplugged): the session waits. plug the cable in again"));
   EXPECT_THAT(result.errors, HasSubstr("the left device is back: the session goes on"));
-  const json json = outcome(result);
-  EXPECT_GT(json["physics"]["paused_s"].get<double>(), 1.0);
-  EXPECT_GT(json["steps"].get<int>(), enough(500));
+  const json report = outcome(result);
+  EXPECT_GT(report["physics"]["paused_s"].get<double>(), 1.0);
+  EXPECT_GT(report["steps"].get<int>(), enough(500));
   expectWhole();
 }
 
@@ -191,8 +191,8 @@ TEST_F(TrainUsb, ADeviceThatLostItsHomeGoesOnOnceItIsHomedAgain) {
   EXPECT_THAT(result.errors, HasSubstr("the right device is away (unplugged): the session waits"));
   EXPECT_THAT(result.errors, HasSubstr("the right device is back: the session goes on"));
   EXPECT_TRUE(afterPowerLoss.homed());
-  const json json = outcome(result);
-  EXPECT_GT(json["physics"]["paused_s"].get<double>(), 1.8) << "also while it waits for its user";
+  const json report = outcome(result);
+  EXPECT_GT(report["physics"]["paused_s"].get<double>(), 1.8) << "also while it waits for its user";
   expectWhole();
 }
 

@@ -23,7 +23,7 @@ std::vector<double> punctureDepths(const Surface& skin, const Vec3& place) {
   const SurfaceFrame top = frameAt(nested[0], place.normalized());
   state.skinUnit = state.fingerUnit = top.unit;
   input.finger.pose.position = top.position + 0.05 * top.normal;
-  input.needle.pose.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), top.normal);
+  input.needle.pose.orientation = turnOnto(Vec3::UnitZ(), top.normal);
   std::vector<double> depths;                  // [m]
   for (int k = -100; k < 3000; ++k) {          // 15 mm at 5 mm/s
     input.needle.pose.position = top.position - 5e-6 * k * top.normal;

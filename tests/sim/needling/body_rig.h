@@ -39,7 +39,7 @@ struct BodyRig {
   std::vector<Event> events;
 
   explicit BodyRig(const SimParams& p = needlingParams(), int order = 1) : model(buildModel(p, Anatomy{{}, ballBody(order)}, {})) {
-    const Quat up = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitY());
+    const Quat up = turnOnto(Vec3::UnitZ(), Vec3::UnitY());
     input.tools[kRight].pose = {Vec3(0, 5e-3, 0), up};
     input.tools[kLeft].pose = {Vec3(-0.03, 0.03, 0), up};
     state = initialState(model, {input.tools[kLeft].pose, input.tools[kRight].pose});

@@ -160,7 +160,7 @@ TEST(Needling, SkinSpringsBackInItsTimeWhateverTheStep) {
 TEST(Needling, GoesInObliquelyAlongItsOwnLine) {
   NeedlingRig rig;
   const Vec3 inward = Vec3(0.6, 0, -0.8);
-  rig.input.needle.pose.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3(-inward));
+  rig.input.needle.pose.orientation = turnOnto(Vec3::UnitZ(), Vec3(-inward));
   const Vec3 top(0, 0, kBall);
   for (int k = -100; k <= 2000; ++k) rig.to(top + inward * (10e-6 * k));
   EXPECT_GE(rig.state.layers[1].phase, LayerPhase::kPunctured);
