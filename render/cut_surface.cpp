@@ -26,6 +26,7 @@ CutSurface::CutSurface(const RenderScene& scene)
       exposed_(boundary_, 1), mesh_{makeArray(), makeBuffer(), {}, 0} {
   if (!present()) return;
   ofParticle_.resize(scene.tissueRest.size());
+  onFaces_.resize(scene.tissueRest.size());
   const std::size_t faces = triangles_.size() - boundary_;
   stream_.reserve(3 * faces);
   glBindVertexArray(mesh_.array);
@@ -36,10 +37,16 @@ CutSurface::CutSurface(const RenderScene& scene)
 
 void CutSurface::charParticles(const RenderSnapshot& snapshot) {
   std::fill(ofParticle_.begin(), ofParticle_.end(), 0.0f);
+  std::fill(onFaces_.begin(), onFaces_.end(), Mean{});
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     const float heat = std::min(1.0f, static_cast<float>(snapshot.charred[t]));   // [1]
-    if (heat <= 0.0f) continue;
-    for (int v : triangles_[t]) ofParticle_[static_cast<std::size_t>(v)] = std::max(ofParticle_[static_cast<std::size_t>(v)], heat);
+    const bool face = t >= boundary_ && snapshot.exposed[t];
+    if (heat <= 0.0f && !face) continue;
+    for (int v : triangles_[t]) {
+      const auto at = static_cast<std::size_t>(v);
+      ofParticle_[at] = std::max(ofParticle_[at], heat);
+      if (face) onFaces_[at] = {onFaces_[at].sum + heat, onFaces_[at].count + 1.0f};
+    }
   }
 }
 
@@ -47,7 +54,6 @@ void CutSurface::addFace(std::size_t triangle, const RenderSnapshot& snapshot) {
   const auto& corners = triangles_[triangle];
   const Vec3 &a = snapshot.tissue[corners[0]], &b = snapshot.tissue[corners[1]], &c = snapshot.tissue[corners[2]];
   const Vec3 normal = (b - a).cross(c - a).normalized();
-  const float heat = std::clamp(static_cast<float>(snapshot.charred[triangle]), kLeastChar, 1.0f);   // [1]
   for (int corner : corners) {
     const Vec3& p = snapshot.tissue[corner];
     Vertex v{};
@@ -61,7 +67,8 @@ void CutSurface::addFace(std::size_t triangle, const RenderSnapshot& snapshot) {
     v.color[3] = byteOf(0.7);
     v.surface[1] = byteOf(0.9);
     v.surface[2] = byteOf(0.6);
-    v.charred = heat;
+    const Mean& heat = onFaces_[static_cast<std::size_t>(corner)];
+    v.charred = std::clamp(heat.sum / heat.count, kLeastChar, 1.0f);
     stream_.push_back(v);
   }
 }

@@ -16,7 +16,7 @@ class CutSurface {
   bool present() const { return triangles_.size() > boundary_; }
   /// False when the snapshot is of another scene; then nothing is cut. `changed` is true when something has gone since the last call.
   bool update(const RenderSnapshot&, bool& changed);
-  bool shown(std::size_t boundaryTriangle) const { return exposed_[boundaryTriangle] != 0; }
+  const std::vector<std::uint8_t>& shown() const { return exposed_; }              // per triangle of the boundary: 0 = gone
   const std::vector<float>& charOfParticles() const { return ofParticle_; }        // [1]
   void draw() const;
 
@@ -32,7 +32,9 @@ class CutSurface {
   std::vector<std::array<int, 3>> triangles_;   // of particles, as in the scene
   std::size_t boundary_ = 0;                 // so many of them are not between two tets
   std::vector<std::uint8_t> exposed_;
+  struct Mean { float sum = 0.0f, count = 0.0f; };   // [1] char of the bare faces round a particle: one tet alone would show as a chequer
   std::vector<float> ofParticle_;            // [1]
+  std::vector<Mean> onFaces_;
   std::vector<Vertex> stream_;
   GpuMesh mesh_;
 };

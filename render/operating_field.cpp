@@ -125,7 +125,7 @@ void perianalSkin(double x, double y, Noises& noises, Ground& g) {              
   const double inside = smoothStep(3.30, 3.18, r + 0.25 * noise(0.8 * c + 5.0, 0.8 * s, 3.0));   // [1] the drape's edge
   if (inside <= 0.0) return;
   const double near = smoothStep(2.2, 1.05, r + 0.3 * (warp - 0.5));                           // [1]
-  const double crease = squared(0.5 + 0.5 * std::sin(34.0 * a + 5.0 * noise(3.0 * c, 3.0 * s, 1.5 * r))) * smoothStep(2.0, 1.1, r);   // [1]
+  const double crease = squared(0.5 + 0.5 * std::sin(34.0 * a + 5.0 * noise(3.0 * c, 3.0 * s, 1.5 * r))) * smoothStep(2.0, 1.1, r) * smoothStep(0.92, 1.0, r);   // [1]
   const double grain = noises.lobes.at(9.0 * x, 9.0 * y, 2.0), red = noises.red.at(1.2 * x, 1.2 * y, 11.0);   // [1]
   Vec3 color = mixed(Vec3(0.56, 0.33, 0.24), Vec3(0.60, 0.28, 0.21), smoothStep(0.35, 0.65, red));
   color = mixed(color, Vec3(0.30, 0.135, 0.095), 0.75 * near);                                 // pigmented
@@ -134,6 +134,9 @@ void perianalSkin(double x, double y, Noises& noises, Ground& g) {              
   g.height = (1.0 - inside) * g.height + inside * (3.2e-3 * near - 0.9e-3 * crease + 0.35e-3 * grain);
   g.color = mixed(g.color, color * (0.92 + 0.16 * grain), inside);
   g.shade = (1.0 - inside) * g.shade + inside * (1.0 - 0.35 * crease) * (1.0 - 0.45 * edge) * (0.55 + 0.45 * smoothStep(0.98, 1.5, r));
+  const double below = smoothStep(1.0, 0.92, r), lumen = smoothStep(0.66, 0.60, r);            // [1] between the walls, and in the inner one
+  g.color = mixed(g.color, Vec3(0.26, 0.035, 0.03), below);
+  g.shade *= (1.0 - 0.65 * below) * (1.0 - 0.9 * lumen);
   g.kind = inside > 0.5 ? 0.25 : g.kind;
 }
 
@@ -158,8 +161,10 @@ void addCell(int i, int j, std::vector<std::uint32_t>& indices) {
   indices.insert(indices.end(), {at(0, 0), at(1, 0), at(1, 1), at(0, 0), at(1, 1), at(0, 1)});
 }
 
-/// Cells inside the organ are left out: its lumen goes on below the skin.
+/// Cells inside the organ are left out: its lumen goes on below the skin. A prolapse that has been cut off is looked into between its
+/// walls, which the ground's cells are too coarse to follow: there the ground is painted.
 bool underOrgan(int i, int j, const FieldPlace& place) {
+  if (place.perineum) return false;
   const double x = (i + 0.5) * kCell - kFieldHalfSize, y = (j + 0.5) * kCell - kFieldHalfSize;   // [m]
   return length(x, y) + 0.5 * kCell < 0.85 * place.radius;
 }

@@ -105,13 +105,34 @@ Skin buildSkin(const std::vector<std::array<int, 3>>& surface, const std::vector
   return skin;
 }
 
+void allowCuts(const std::vector<std::array<int, 3>>& surface, std::size_t particles, Skin& skin) {
+  ControlMesh mesh = controlMesh(surface, {}, {}, particles);
+  for (int level = 0; level < skin.levels; ++level) mesh = subdivide(mesh, Rule::kFlat);
+  skin.flat = pack(mesh);
+}
+
 SkinPose::SkinPose(const Skin& skin) : points_(4 * (skin.weights.start.size() - 1)), normals_(4 * skin.normalSlots) {}
 
-float SkinPose::at(const Skin& skin, std::uint32_t row, const std::vector<float>& ofParticle) {
+float SkinPose::at(const Skin& skin, std::uint32_t row, const std::vector<float>& ofParticle) const {
+  const SkinWeights& w = weightsOf(skin, row);
   float sum = 0.0f;                                      // [1]
-  for (std::uint32_t j = skin.weights.start[row]; j < skin.weights.start[row + 1]; ++j)
-    sum += skin.weights.weight[j] * ofParticle[skin.weights.particle[j]];
+  for (std::uint32_t j = w.start[row]; j < w.start[row + 1]; ++j) sum += w.weight[j] * ofParticle[w.particle[j]];
   return sum;
+}
+
+void SkinPose::tear(const Skin& skin, const std::vector<std::array<int, 3>>& surface, const std::vector<std::uint8_t>& shown) {
+  shown_ = shown;
+  atCut_.assign(particles_.size() / 4, 0);
+  for (std::size_t t = 0; t < surface.size(); ++t)
+    if (!shown[t])
+      for (int v : surface[t]) atCut_[static_cast<std::size_t>(v)] = 1;
+  torn_.assign(points_.size() / 4, 0);
+  for (std::size_t t = 0; t < skin.triangles.size(); ++t) {
+    const std::size_t whole = skin.surfaceTriangleOf(t);
+    const auto& v = surface[whole];
+    if (!shown[whole] || !(atCut_[v[0]] || atCut_[v[1]] || atCut_[v[2]])) continue;
+    for (std::uint32_t corner : skin.triangles[t]) torn_[skin.corners[corner].point] = 1;
+  }
 }
 
 void SkinPose::update(const Skin& skin, const std::vector<Vec3>& particles) {
@@ -119,9 +140,9 @@ void SkinPose::update(const Skin& skin, const std::vector<Vec3>& particles) {
   for (std::size_t i = 0; i < particles.size(); ++i)
     for (int k = 0; k < 3; ++k) particles_[4 * i + k] = static_cast<float>(particles[i][k]);
 
-  const SkinWeights& w = skin.weights;
-  const std::size_t rows = w.start.size() - 1;
+  const std::size_t rows = skin.weights.start.size() - 1;
   for (std::size_t r = 0; r < rows; ++r) {
+    const SkinWeights& w = weightsOf(skin, r);
     float sum[4] = {};                                   // [m] four lanes, so that the compiler uses one vector register
     for (std::uint32_t j = w.start[r]; j < w.start[r + 1]; ++j) {
       const float* p = &particles_[4 * w.particle[j]];   // [m]
@@ -132,7 +153,9 @@ void SkinPose::update(const Skin& skin, const std::vector<Vec3>& particles) {
 
   // Area-weighted face normals, gathered per layer so that the cut rim keeps its edges.
   std::fill(normals_.begin(), normals_.end(), 0.0f);
-  for (const auto& t : skin.triangles) {
+  for (std::size_t i = 0; i < skin.triangles.size(); ++i) {
+    if (!shown_.empty() && !shown_[skin.surfaceTriangleOf(i)]) continue;
+    const auto& t = skin.triangles[i];
     const float *a = point(skin.corners[t[0]].point), *b = point(skin.corners[t[1]].point), *c = point(skin.corners[t[2]].point);
     const float u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};   // [m]
     const float n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};         // [m^2]

@@ -37,12 +37,13 @@ std::vector<Edge> edgesOf(const ControlMesh& mesh) {
 /// Warren's weight, Loop 1987 for valence 3 and 6 alike in the limit: smooth, and cheaper than the cosine.
 double ringWeight(std::size_t valence) { return valence == 3 ? 3.0 / 16.0 : 3.0 / (8.0 * static_cast<double>(valence)); }
 
-WeightRow edgePoint(const ControlMesh& mesh, const Edge& e) {
+WeightRow edgePoint(const ControlMesh& mesh, const Edge& e, Rule rule) {
   WeightRow row;
-  const double own = e.crease ? 0.5 : 3.0 / 8.0;         // [1]
+  const bool straight = e.crease || rule == Rule::kFlat;
+  const double own = straight ? 0.5 : 3.0 / 8.0;         // [1]
   addRow(row, mesh.rows[e.a], own);
   addRow(row, mesh.rows[e.b], own);
-  if (!e.crease)
+  if (!straight)
     for (std::uint32_t v : e.opposite) addRow(row, mesh.rows[v], 1.0 / 8.0);
   return row;
 }
@@ -92,7 +93,7 @@ void addRow(WeightRow& out, const WeightRow& row, double factor) {
   out = std::move(sum);
 }
 
-ControlMesh subdivide(const ControlMesh& mesh) {
+ControlMesh subdivide(const ControlMesh& mesh, Rule rule) {
   const std::vector<Edge> edges = edgesOf(mesh);
   std::vector<Ring> rings(mesh.rows.size());
   for (const Edge& e : edges)
@@ -103,11 +104,11 @@ ControlMesh subdivide(const ControlMesh& mesh) {
 
   ControlMesh out;
   out.rows.reserve(mesh.rows.size() + edges.size());
-  for (std::uint32_t v = 0; v < mesh.rows.size(); ++v) out.rows.push_back(vertexPoint(mesh, v, rings[v]));
+  for (std::uint32_t v = 0; v < mesh.rows.size(); ++v) out.rows.push_back(rule == Rule::kFlat ? mesh.rows[v] : vertexPoint(mesh, v, rings[v]));
   std::vector<std::array<std::uint32_t, 3>> mid(mesh.triangles.size());
   for (const Edge& e : edges) {
     const auto point = static_cast<std::uint32_t>(out.rows.size());
-    out.rows.push_back(edgePoint(mesh, e));
+    out.rows.push_back(edgePoint(mesh, e, rule));
     for (std::uint32_t t : e.triangles)
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t p = mesh.triangles[t][k], q = mesh.triangles[t][(k + 1) % 3];

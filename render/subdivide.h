@@ -19,7 +19,10 @@ struct ControlMesh {
 /// out += factor * row
 void addRow(WeightRow& out, const WeightRow& row, double factor);  // factor [1]
 
-/// Four triangles for each. The first vertices of the result are those of `mesh`, moved by the Loop rule.
-ControlMesh subdivide(const ControlMesh& mesh);
+enum class Rule { kLoop, kFlat };                        // flat: vertices stay, edges are halved
+
+/// Four triangles for each. The first vertices of the result are those of `mesh`, moved by the Loop rule. Points come in the same order
+/// by either rule.
+ControlMesh subdivide(const ControlMesh& mesh, Rule rule = Rule::kLoop);
 
 }  // namespace halsted::render

@@ -57,7 +57,7 @@ Shading serosa(const Vec3& p, double turn, const RestShape& rest) {             
   return {color, 0.25 + 0.75 * down, 0.95 * (1.0 - 0.6 * fat), 0.42 + 0.4 * fat, 1.0};
 }
 
-/// Of a bowel turned inside out: it lies in the light, swollen and deeper red toward the tip, in circular folds.
+/// Of a bowel turned inside out: it lies in the light, swollen and deeper red toward the tip.
 Shading evertedMucosa(const Vec3& p, const RestShape& rest) {                          // [m]
   const Vec3 q = 110.0 * p;
   const double blush = fractalNoise(q.x() + 40, q.y(), q.z(), 3), speckle = fractalNoise(4.0 * q.x(), 4.0 * q.y() + 9, 4.0 * q.z(), 2);   // [1]
@@ -142,7 +142,9 @@ TissueSurface::TissueSurface(const RenderScene& scene, std::size_t triangleBudge
   indices.clear();
   for (const auto& t : surface_) indices.insert(indices.end(), t.begin(), t.end());
   uploadIndices(coarse_, indices);
-  if (cut_.present()) makeRoomForCuts();
+  if (!cut_.present()) return;
+  allowCuts(surface_, scene.tissueRest.size(), skin_);
+  makeRoomForCuts();
 }
 
 void TissueSurface::makeRoomForCuts() {
@@ -162,20 +164,24 @@ void TissueSurface::dropWhatIsGone() {
   coarseShown_.clear();
   isCut_ = false;
   for (std::size_t t = 0; t < skin_.triangles.size(); ++t) {
-    if (!cut_.shown(skin_.surfaceTriangleOf(t))) { isCut_ = true; continue; }
+    if (!cut_.shown()[skin_.surfaceTriangleOf(t)]) { isCut_ = true; continue; }
     fineShown_.insert(fineShown_.end(), skin_.triangles[t].begin(), skin_.triangles[t].end());
   }
   for (std::size_t t = 0; t < surface_.size(); ++t)
-    if (cut_.shown(t)) coarseShown_.insert(coarseShown_.end(), surface_[t].begin(), surface_[t].end());
+    if (cut_.shown()[t]) coarseShown_.insert(coarseShown_.end(), surface_[t].begin(), surface_[t].end());
+  pose_.tear(skin_, surface_, cut_.shown());
 }
 
 void TissueSurface::streamChar() {
-  for (std::size_t i = 0; i < skin_.corners.size(); ++i) charStream_[i] = SkinPose::at(skin_, skin_.corners[i].point, cut_.charOfParticles());
+  for (std::size_t i = 0; i < skin_.corners.size(); ++i) charStream_[i] = pose_.at(skin_, skin_.corners[i].point, cut_.charOfParticles());
   glBindBuffer(GL_ARRAY_BUFFER, charBuffer_);
   glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(charStream_.size() * sizeof(float)), charStream_.data());
 }
 
 void TissueSurface::update(const RenderSnapshot& snapshot) {
+  bool changed = false;
+  const bool canBeCut = cut_.update(snapshot, changed);
+  if (canBeCut && changed) dropWhatIsGone();
   pose_.update(skin_, snapshot.tissue);
   for (std::size_t i = 0; i < skin_.corners.size(); ++i) {
     std::copy_n(pose_.point(skin_.corners[i].point), 3, &stream_[6 * i]);
@@ -183,10 +189,7 @@ void TissueSurface::update(const RenderSnapshot& snapshot) {
   }
   mesh_.stream(stream_.data(), stream_.size() * sizeof(float));
   coarse_.stream(pose_.particles().data(), pose_.particles().size() * sizeof(float));
-  bool changed = false;
-  if (!cut_.update(snapshot, changed)) return;
-  if (changed) dropWhatIsGone();
-  streamChar();
+  if (canBeCut) streamChar();
 }
 
 void TissueSurface::draw() const {

@@ -78,6 +78,63 @@ TEST(Skin, KeepsTextureCoordinatesContinuousAcrossTheSeam) {
   }
 }
 
+/// The organ without what lies above a height, and what is above carried 80 mm away.
+struct TornSkin {
+  explicit TornSkin(double height) : shown(scene.surface.size(), 1), seen(scene.tissueRest.size(), 0), particles(scene.tissueRest) {   // [m]
+    for (std::size_t t = 0; t < scene.surface.size(); ++t) {
+      for (int v : scene.surface[t])
+        if (scene.tissueRest[v].z() > height) shown[t] = 0;
+      for (int v : scene.surface[t]) seen[v] |= shown[t];
+    }
+    for (std::size_t v = 0; v < particles.size(); ++v)
+      if (!seen[v]) particles[v].x() += 80e-3;
+    allowCuts(scene.surface, particles.size(), skin);
+    SkinPose rest(skin);
+    rest.update(skin, scene.tissueRest);
+    pose.update(skin, scene.tissueRest);
+    pose.tear(skin, scene.surface, shown);
+    pose.update(skin, particles);
+    for (std::size_t t = 0; t < skin.triangles.size(); ++t) {
+      if (!shown[skin.surfaceTriangleOf(t)]) continue;
+      ++drawn;
+      for (std::uint32_t c : skin.triangles[t]) farthest = std::max(farthest, (pointOf(pose, skin.corners[c].point) - pointOf(rest, skin.corners[c].point)).norm());
+    }
+  }
+  RenderScene scene = syntheticScene();
+  Skin skin = skinOf(scene);
+  SkinPose pose{skin};
+  std::vector<std::uint8_t> shown, seen;
+  std::vector<Vec3> particles;                           // [m]
+  double farthest = 0.0;                                 // [m] that a drawn point has gone from where it was
+  int drawn = 0;
+};
+
+double middleHeight() {                                  // [m]
+  double sum = 0.0;
+  const RenderScene scene = syntheticScene();
+  for (const Vec3& p : scene.tissueRest) sum += p.z() / static_cast<double>(scene.tissueRest.size());
+  return sum;
+}
+
+TEST(Skin, ACutEdgeDoesNotFollowWhatIsCarriedAway) {
+  const TornSkin torn(middleHeight());
+  ASSERT_GT(torn.drawn, 100);
+  ASSERT_LT(torn.drawn, static_cast<int>(torn.skin.triangles.size()) - 100);
+  EXPECT_LT(torn.farthest, 1e-3);                        // [m] from the smooth surface to the flat triangles
+}
+
+TEST(Skin, MeetsTheFacesOfACutAtTheParticles) {
+  const TornSkin torn(middleHeight());
+  int edge = 0;
+  for (std::size_t t = 0; t < torn.shown.size(); ++t)
+    for (int v : torn.scene.surface[t]) {
+      if (torn.shown[t] || !torn.seen[v]) continue;      // on the edge between what is gone and what is left
+      ++edge;
+      ASSERT_LT((pointOf(torn.pose, static_cast<std::uint32_t>(v)) - torn.particles[v]).norm(), 1e-7);   // [m] rounding
+    }
+  EXPECT_GT(edge, 20);
+}
+
 TEST(Skin, RefusesATriangleOfAParticleThatDoesNotExist) {
   RenderScene scene = syntheticScene();
   scene.surface.front()[1] = static_cast<int>(scene.tissueRest.size());
