@@ -2,13 +2,10 @@
 
 #include <numeric>
 
+#include "sim/union_find.h"
+
 namespace halsted {
 namespace {
-
-int rootOf(std::vector<int>& parent, int v) {
-  while (parent[v] != v) v = parent[v] = parent[parent[v]];
-  return v;
-}
 
 /// The mesh's own word, else the connected pieces in the order of their first vertex.
 void numberPieces(const TetMesh& mesh, Bowels& b) {
@@ -19,12 +16,8 @@ void numberPieces(const TetMesh& mesh, Bowels& b) {
   }
   std::vector<int> parent(mesh.vertices.size());
   std::iota(parent.begin(), parent.end(), 0);
-  for (const auto& tet : mesh.tets) {
-    for (int c = 1; c < 4; ++c) {
-      const int one = rootOf(parent, tet[0]), other = rootOf(parent, tet[c]);
-      if (one != other) parent[one > other ? one : other] = one < other ? one : other;
-    }
-  }
+  for (const auto& tet : mesh.tets)
+    for (int c = 1; c < 4; ++c) join(parent, tet[0], tet[c]);
   std::vector<int> number(parent.size(), -1);
   for (std::size_t v = 0; v < parent.size(); ++v) {
     const int root = rootOf(parent, static_cast<int>(v));

@@ -132,7 +132,7 @@ struct RenderSnapshot {
 enum class ToolKind : std::uint8_t { kNeedleDriver, kForceps, kAcupunctureNeedle, kFinger,
                                      kElectrocautery,   // a pen with a blade; closing the hand switches the current on
                                      kAllis,            // a clamp that grasps as forceps do
-                                     kNone };
+                                     kNone };           // of a second instrument: none is laid out
 const char* name(ToolKind);                  // as in scene.toml
 
 struct JawShape {                            // of one tool, as it is simulated

@@ -32,6 +32,8 @@ void showCutFaces(Model& m) {
 void buildSuture(const SimParams& params, TetMesh mesh, Model& m) {
   if (mesh.rim.size() < 3) throw std::invalid_argument("anatomy: the mesh has no open rim");
   for (const ToolParams& t : params.tools) checkTool(t);
+  for (const ToolParams& t : params.second)
+    if (t.kind != ToolKind::kNone) checkTool(t);
   checkCautery(params.cautery);
   if (!(params.anvil.radius >= 0.0)) throw std::invalid_argument("anvil.radius must not be negative");
   m.tissue = buildTissue(mesh, params);
@@ -52,8 +54,9 @@ Model buildModel(const SimParams& params, Anatomy anatomy, std::vector<Procedure
   Model m;
   m.params = params;
   // The blade of a pen is as thick as its electrode.
-  for (ToolParams& t : m.params.tools)
-    if (t.kind == ToolKind::kElectrocautery) t.jawRadius = params.cautery.tipRadius;
+  for (ToolParams* tools : {m.params.tools, m.params.second})
+    for (int hand = 0; hand < kHands; ++hand)
+      if (tools[hand].kind == ToolKind::kElectrocautery) tools[hand].jawRadius = params.cautery.tipRadius;
   m.procedure = std::move(procedure);
   switch (params.model) {
     case ModelKind::kSuture: buildSuture(params, std::move(anatomy.mesh), m); break;

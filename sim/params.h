@@ -114,7 +114,7 @@ struct AnatomyParams {                         // [anatomy]
   double gap = 8e-3;                           // gap [m] between the walls of two ends, or of a prolapse
   // Of a prolapse; `length` is how far it stands out:
   double cutHeight = 12e-3;                    // cut_height [m] of the planned line over the base, 10 to 15 mm over the dentate line
-  double cutBand = 3e-3;                       // cut_band [m] to either side of it the wall may be cut; farther away that is a fault
+  double cutBand = 3e-3;                       // cut_band [m] to either side of it the wall may be cut; farther away heat chars, counts as overshoot and takes nothing away
   // A body that is needled:
   std::string body;                            // body: table of its acupoints, scenes/NAME/bodies/BODY.toml; empty = the mesh's own, or the slab
   std::string point;                           // point: the acupoint to be needled; empty = the table's first

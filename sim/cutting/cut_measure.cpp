@@ -1,18 +1,13 @@
 #include "sim/cutting/cut_measure.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "sim/model.h"
 #include "sim/state.h"
+#include "sim/union_find.h"
 
 namespace halsted {
 namespace {
-
-int rootOf(std::vector<std::int32_t>& parent, int v) {
-  while (parent[v] != v) v = parent[v] = parent[parent[v]];
-  return v;
-}
 
 /// Joins what is left of a bin by shared corners, then asks whether the two sides are still one.
 bool cutThrough(const Model& m, int bin, State& s) {
@@ -24,10 +19,7 @@ bool cutThrough(const Model& m, int bin, State& s) {
   for (int i = from; i < to; ++i) {
     const int t = m.cut.binTet[i];
     if (s.tissue.gone[t]) continue;
-    for (int c = 1; c < 4; ++c) {
-      const int a = rootOf(parent, m.tissue.tets[t][0]), b = rootOf(parent, m.tissue.tets[t][c]);
-      parent[std::max(a, b)] = std::min(a, b);
-    }
+    for (int c = 1; c < 4; ++c) join(parent, m.tissue.tets[t][0], m.tissue.tets[t][c]);
   }
   for (int i = from; i < to; ++i) {
     const int t = m.cut.binTet[i];

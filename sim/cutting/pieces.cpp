@@ -7,22 +7,12 @@
 #include "sim/state.h"
 #include "sim/step.h"
 #include "sim/suture/holes.h"
+#include "sim/union_find.h"
 
 namespace halsted {
 namespace {
 
 constexpr int kTakeInterval = 16;              // steps between looks at how far free pieces are
-
-int rootOf(std::vector<std::int32_t>& parent, int v) {
-  while (parent[v] != v) v = parent[v] = parent[parent[v]];
-  return v;
-}
-
-void join(std::vector<std::int32_t>& parent, int a, int b) {     // the smaller index is the root: the same whatever the order
-  a = rootOf(parent, a);
-  b = rootOf(parent, b);
-  parent[std::max(a, b)] = std::min(a, b);
-}
 
 void joinCorners(const Model& m, State& s) {
   auto& parent = s.work.cut.parent;

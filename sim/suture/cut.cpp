@@ -53,7 +53,7 @@ CutResult advanceCut(const Model& m, const SurfaceNow& tissue, const Vec3& step,
       return CutResult::kMoved;
     }
     const int next = m.surface.tetNeighbour[tet][out];
-    if (next < 0 || (!tissue.gone.empty() && tissue.gone[next])) {                            // the far side is outside the wall: stop on the face
+    if (next < 0 || (!tissue.gone.empty() && tissue.gone[next])) {   // the far side is outside the wall: stop on the face
       const auto start = weightsAt(m, x, tet, target - step);
       const double share = shareInside(start, w);
       for (int c = 0; c < 4; ++c) hole.weight[c] = start[c] + share * (w[c] - start[c]);

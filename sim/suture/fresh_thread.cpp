@@ -46,13 +46,9 @@ double loopTension(const Model& m, const State& s, const TiedLoop& loop) {
 bool inTheWay(const Model& m, const State& s) {
   const ToolState& driver = s.tools[kRight];
   const Vec3 swage = driver.proxy.apply(loadedNeedle(m.strand).apply(m.strand.arcPoint.front()));
-  const Vec3 end = swage - Vec3(0.0, m.strand.length, 0.0), down = end - swage;
-  for (int v : m.surface.vertices) {
-    if (s.cut && !s.cut->bare[v]) continue;
-    const Vec3& x = s.tissue.position[v];
-    if ((x - swage - closestOnSegment(x, swage, end) * down).squaredNorm() < kFree * kFree) return true;
-    if ((x - driver.proxy.position).norm() < 2.0 * m.strand.needle.radius + kFree) return true;
-  }
+  const Vec3& tip = driver.proxy.position;
+  if (tissueWithin(m, s, {swage, swage - Vec3(0.0, m.strand.length, 0.0), kFree})) return true;
+  if (tissueWithin(m, s, {tip, tip, 2.0 * m.strand.needle.radius + kFree})) return true;
   const ToolState& other = s.tools[kLeft];
   const Vec3 hinge = other.proxy.apply(Vec3(0.0, 0.0, toolOf(m, s, kLeft).jawLength)), shaft = hinge - other.proxy.position;   // [m]
   for (int i = 0; i < m.strand.nodes; ++i) {
@@ -62,17 +58,11 @@ bool inTheWay(const Model& m, const State& s) {
   return false;
 }
 
-bool handsEmpty(const State& s) {
-  for (const ToolState& t : s.tools)
-    if (t.holdsNeedle || t.threadCoordinate >= 0.0 || t.graspCount > 0) return false;
-  return true;
-}
-
 ThreadRefusal refusal(const Model& m, const State& s) {
   const bool stitch = s.strand.holeCount > 0;
   if (s.supply->left < 1) return ThreadRefusal::kNoneLeft;
   if (toolOf(m, s, kRight).kind != ToolKind::kNeedleDriver) return ThreadRefusal::kNoDriver;
-  if (!handsEmpty(s)) return ThreadRefusal::kHandsFull;
+  if (!jawsEmpty(s.tools[kLeft]) || !jawsEmpty(s.tools[kRight])) return ThreadRefusal::kHandsFull;
   if (stitch && !finishedLoop(m, s)) return ThreadRefusal::kNotTied;
   if (stitch && (s.strand.holeCount > TiedStitch::kMostHoles || s.stitches->count == TiedStitches::kMost)) return ThreadRefusal::kNoRoom;
   if (inTheWay(m, s)) return ThreadRefusal::kInTheWay;

@@ -10,8 +10,6 @@ namespace {
 
 constexpr double kFree = 6e-3;                 // [m] between an instrument that is changed and whatever else there is
 
-bool handFull(const ToolState& t) { return t.holdsNeedle || t.threadCoordinate >= 0.0 || t.graspCount > 0; }
-
 /// Is tissue, or the other hand's instrument, this near to an instrument of this shape?
 bool inTheWay(const Model& m, const State& s, int hand, const ToolParams& tool) {
   const ToolState& t = s.tools[hand];
@@ -20,10 +18,7 @@ bool inTheWay(const Model& m, const State& s, int hand, const ToolParams& tool) 
     const CapsuleShape here = placed(part, t.proxy);
     const Vec3 along = here.b - here.a;        // [m]
     const double reach = here.radius + kFree;  // [m]
-    for (int v : m.surface.vertices) {
-      const Vec3& x = s.tissue.position[v];
-      if ((x - here.a - closestOnSegment(x, here.a, here.b) * along).squaredNorm() < reach * reach) return true;
-    }
+    if (tissueWithin(m, s, {here.a, here.b, reach})) return true;
     for (int k = 0; k < kSolids; ++k) {
       if (solidHand(k) == hand) continue;
       const auto at = closestSegments(here.a, here.b, solids[k].a, solids[k].b);
@@ -37,7 +32,7 @@ bool inTheWay(const Model& m, const State& s, int hand, const ToolParams& tool) 
 
 InstrumentRefusal refusal(const Model& m, const State& s, int hand) {
   if (m.params.second[hand].kind == ToolKind::kNone) return InstrumentRefusal::kNoOther;
-  if (handFull(s.tools[hand])) return InstrumentRefusal::kHandFull;
+  if (!jawsEmpty(s.tools[hand])) return InstrumentRefusal::kHandFull;
   if (inTheWay(m, s, hand, m.params.tools[hand]) || inTheWay(m, s, hand, m.params.second[hand])) return InstrumentRefusal::kInTheWay;
   return InstrumentRefusal::kNone;
 }

@@ -1,5 +1,6 @@
 #include "sim/tools/tool_shape.h"
 
+#include "sim/contact/geometry.h"
 #include "sim/portable_math.h"
 #include "sim/tools/instrument.h"
 
@@ -17,6 +18,15 @@ std::array<CapsuleShape, kSolidsPerTool> toolCapsules(const ToolParams& t, doubl
   const Vec3 side(t.jawRadius, 0.0, 0.0);
   return {CapsuleShape{Vec3(open, 0.0, 0.0), hinge + side, t.jawRadius}, CapsuleShape{Vec3(-open, 0.0, 0.0), hinge - side, t.jawRadius},
           CapsuleShape{hinge, hinge + Vec3(0.0, 0.0, t.shaftLength), t.shaftRadius}};
+}
+
+bool tissueWithin(const Model& m, const State& s, const CapsuleShape& c) {
+  for (int v : m.surface.vertices) {
+    if (s.cut && !s.cut->bare[v]) continue;    // inside, gone, or carried out of the scene
+    const Vec3& x = s.tissue.position[v];
+    if ((x - c.a - closestOnSegment(x, c.a, c.b) * (c.b - c.a)).squaredNorm() < c.radius * c.radius) return true;
+  }
+  return false;
 }
 
 std::array<CapsuleShape, kSolids> worldSolids(const Model& m, const State& s) {

@@ -18,6 +18,9 @@ std::array<CapsuleShape, kSolidsPerTool> toolCapsules(const ToolParams&, double 
 /// All solids in the world at the tools' proxies.
 std::array<CapsuleShape, kSolids> worldSolids(const Model&, const State&);
 
+/// Is a vertex of tissue that can be touched within this capsule?
+bool tissueWithin(const Model&, const State&, const CapsuleShape&);
+
 CapsuleShape placed(const CapsuleShape&, const Pose&);
 
 }  // namespace halsted

@@ -39,4 +39,7 @@ struct ToolState {
   std::array<std::int32_t, kMaxNear> nearTriangle{};
 };
 
+/// Do the jaws hold nothing?
+inline bool jawsEmpty(const ToolState& t) { return !t.holdsNeedle && t.threadCoordinate < 0.0 && t.graspCount == 0; }
+
 }  // namespace halsted

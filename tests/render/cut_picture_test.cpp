@@ -15,12 +15,6 @@ namespace {
 
 constexpr int kWidth = 320, kHeight = 180;
 
-HudInput noHud() {
-  HudInput hud;
-  hud.visible = false;
-  return hud;
-}
-
 /// The open colon end with one face between tets: across the lumen, facing the surgeon.
 class CutPicture : public testing::Test {
  protected:

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "render/hud.h"
 #include "render/png.h"
 
 namespace halsted::render {
@@ -16,6 +17,12 @@ inline double difference(const Frame& a, const Frame& b, int tolerance) {
   std::size_t off = 0;
   for (std::size_t i = 0; i < a.rgba.size(); ++i) off += std::abs(a.rgba[i] - b.rgba[i]) > tolerance;
   return static_cast<double>(off) / static_cast<double>(a.rgba.size());
+}
+
+inline HudInput noHud() {
+  HudInput hud;
+  hud.visible = false;
+  return hud;
 }
 
 /// A change of the picture on purpose: HALSTED_GOLDEN_WRITE=1, then look at the files before committing them.

@@ -14,12 +14,6 @@ namespace {
 
 constexpr int kWidth = 320, kHeight = 180;
 
-HudInput noHud() {
-  HudInput hud;
-  hud.visible = false;
-  return hud;
-}
-
 class Picture : public testing::Test {
  protected:
   RenderScene scene = syntheticScene();

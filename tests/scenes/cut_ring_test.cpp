@@ -8,28 +8,22 @@
 #include "scenes/prolapse.h"
 #include "sim/portable_math.h"
 #include "sim/step.h"
+#include "tests/scenes/prolapse_params.h"
 #include "tests/scenes/wall_laws.h"
 
 namespace halsted::scenes {
 namespace {
 
-SimParams prolapsed() {
+SimParams penAndProlapse() {
   SimParams p;
-  AnatomyParams& a = p.anatomy;
-  a.layout = "prolapse";
-  a.length = 45e-3;
-  a.radius = 22e-3;
-  a.wall = 2.5e-3;
-  a.gap = 4e-3;
-  a.around = 36;
-  a.along = 37;
+  p.anatomy = prolapsed();
   p.tools[kRight].kind = ToolKind::kElectrocautery;
   return p;
 }
 
 class CutRings : public ::testing::Test {
  protected:
-  const Model model = buildModel(prolapsed(), prolapse(prolapsed().anatomy), {});
+  const Model model = buildModel(penAndProlapse(), prolapse(prolapsed()), {});
   State state = initialState(model, startPoses(model));
   const AnatomyParams& anatomy = model.params.anatomy;
 };

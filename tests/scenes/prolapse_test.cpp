@@ -10,22 +10,11 @@
 #include "scenes/scene.h"
 #include "sim/bowels.h"
 #include "sim/portable_math.h"
+#include "tests/scenes/prolapse_params.h"
 #include "tests/scenes/wall_laws.h"
 
 namespace halsted {
 namespace {
-
-AnatomyParams prolapsed() {
-  AnatomyParams a;
-  a.layout = "prolapse";
-  a.length = 45e-3;
-  a.radius = 22e-3;
-  a.wall = 2.5e-3;
-  a.gap = 4e-3;
-  a.around = 36;
-  a.along = 37;
-  return a;
-}
 
 double radiusOf(const Vec3& p) { return p.head<2>().norm(); }    // [m]
 

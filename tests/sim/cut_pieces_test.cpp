@@ -102,8 +102,7 @@ TEST(CutPieces, PartWithoutDrag) {
   p.tissue.massDamping = 0.0;
   CutRig rig(p);
   rig.vaporise(kLineRow);
-  for (std::size_t i = 0; i < rig.state.tissue.velocity.size(); ++i)
-    if (rig.state.tissue.piece[i] == 1) rig.state.tissue.velocity[i] = Vec3(0, 0, -0.05);
+  rig.throwFree(-0.05);
   rig.run(300);
   EXPECT_NEAR(rig.freeVelocity().z(), -0.05, 0.002);
   EXPECT_NEAR(rig.freePlace().z() - kLineRow * kCell / 2, -0.015, 0.6e-3);
@@ -141,8 +140,7 @@ TEST(CutPieces, ThatAreCarriedAwayLeaveTheScene) {
   p.tissue.massDamping = 0.0;
   CutRig rig(p);
   rig.vaporise(kLineRow);
-  for (std::size_t i = 0; i < rig.state.tissue.velocity.size(); ++i)
-    if (rig.state.tissue.piece[i] == 1) rig.state.tissue.velocity[i] = Vec3(0, 0, -0.2);
+  rig.throwFree(-0.2);
   int steps = 0;
   while (rig.cut().taken == 0 && steps < 400) { rig.step(); ++steps; }
   EXPECT_NEAR(steps, (30e-3 - kCell) / 0.2 * 1e3, 30);

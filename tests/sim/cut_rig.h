@@ -97,6 +97,12 @@ struct CutRig {
     for (int i = 0; i < out.eventCount; ++i) seen[static_cast<std::size_t>(out.events[i].kind)] += 1;
   }
 
+  /// Gives the first free piece this speed along z.  [m/s]
+  void throwFree(double speed) {
+    for (std::size_t i = 0; i < state.tissue.velocity.size(); ++i)
+      if (state.tissue.piece[i] == 1) state.tissue.velocity[i] = Vec3(0.0, 0.0, speed);
+  }
+
   CutRig(const CutRig&) = default;
   CutRig& operator=(const CutRig&) = default;
   const CutMetrics& cut() const { return *state.metrics.cut; }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "sim/tools/load_driver.h"
 #include "sim/tools/tool_shape.h"
 #include "tests/sim/step_rig.h"
@@ -79,6 +81,26 @@ TEST(ChangeOfInstruments, IsRefusedWhereTheOtherHandsInstrumentStands) {
   rig.input.tools[kLeft].pose = {kNeedleAway.position + Vec3(8e-3, 0.0, 0.0), Quat::Identity()};
   rig.run(3);
   EXPECT_EQ(rig.change(), InstrumentRefusal::kInTheWay);
+}
+
+/// A specimen lies where it was let go until the scene ends: nobody meets it any more.
+TEST(ChangeOfInstruments, IsNotRefusedWhereTissueHasBeenCarriedAway) {
+  TwoInstruments rig;
+  const CapsuleShape overEdge{kOverEdge.position, kOverEdge.position, 3e-3};   // [m]
+  EXPECT_TRUE(tissueWithin(rig.model, rig.state, overEdge));
+  rig.state.cut.emplace();
+  rig.state.cut->bare.assign(rig.model.mesh.vertices.size(), 0);
+  EXPECT_FALSE(tissueWithin(rig.model, rig.state, overEdge));
+}
+
+TEST(ChangeOfInstruments, SecondOnesAreCheckedAndShapedAsFirstOnes) {
+  SimParams p = penFirst(ToolKind::kElectrocautery);
+  p.second[kLeft].jawRadius = 5e-3;
+  EXPECT_EQ(buildModel(p, wallMesh(), {}).params.second[kLeft].jawRadius, p.cautery.tipRadius);
+  p.second[kLeft].shaftRadius = 0.0;
+  EXPECT_THROW(buildModel(p, wallMesh(), {}), std::invalid_argument);
+  p.second[kLeft].kind = ToolKind::kNone;      // then its shape is nobody's
+  EXPECT_NO_THROW(buildModel(p, wallMesh(), {}));
 }
 
 TEST(ChangeOfInstruments, IsPartOfTheStateAndItsHash) {
