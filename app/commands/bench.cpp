@@ -1,6 +1,7 @@
 /// `halsted bench`: what a step and a frame cost here, beside the published figures.
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
@@ -24,22 +25,22 @@ constexpr Published kPublished[] = {
     {"lembert", 11.95, "Intel Core i7-13700KF, 16 cores"},       // table 4, the largest of its columns
 };
 
-/// What the scene itself says; "default" is the scene as it is.
-std::vector<std::string> presetOverrides(const std::string& folder, const std::string& preset) {
-  const auto presets = scenes::readScene(folder, {}).presets;
-  const auto found = presets.find(preset);
-  return found == presets.end() ? std::vector<std::string>{} : found->second;
+/// Settings by the name of their preset: those of the scene, and "default", the scene as it is.
+std::map<std::string, std::vector<std::string>> presetsOf(const std::string& folder) {
+  auto presets = scenes::readScene(folder, {}).presets;
+  presets["default"] = {};
+  return presets;
 }
 
-Scenario benchScenario(const std::string& folder, const std::string& preset) {
+Scenario benchScenario(const std::string& folder, const std::vector<std::string>& overrides) {
   const fs::path script = fs::path(folder) / "expert.toml";
   std::error_code ignored;
-  if (fs::exists(script, ignored)) return scenarioFromFile(script.string(), presetOverrides(folder, preset));
-  return scenarioFromScene(folder, presetOverrides(folder, preset), {});
+  if (fs::exists(script, ignored)) return scenarioFromFile(script.string(), overrides);
+  return scenarioFromScene(folder, overrides, {});
 }
 
-nlohmann::ordered_json measure(const std::string& folder, const std::string& preset, int steps) {
-  const Scenario scenario = benchScenario(folder, preset);
+nlohmann::ordered_json measure(const std::string& folder, const std::string& preset, const std::vector<std::string>& overrides, int steps) {
+  const Scenario scenario = benchScenario(folder, overrides);
   Lockstep run(scenario);
   Progress progress;
   for (int i = 0; i < steps && run.advance(); ++i) progress.show(run.time(), scenario.scene.name + " " + preset);
@@ -122,14 +123,18 @@ int benchStress(const BenchOptions& options) {
 int bench(const BenchOptions& options) {
   if (!options.stress.empty()) return benchStress(options);
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  bool known = options.scene.empty();
+  bool known = options.scene.empty(), knownPreset = options.preset.empty();
   for (const std::string& folder : scenes::sceneFolders()) {
     if (!options.scene.empty() && fs::path(folder).filename() != options.scene) continue;
     known = true;
-    for (const std::string preset : {"default", "paper"})
-      if (options.preset.empty() || options.preset == preset) rows.push_back(measure(folder, preset, options.steps));
+    for (const auto& [preset, overrides] : presetsOf(folder)) {
+      if (!options.preset.empty() && options.preset != preset) continue;
+      knownPreset = true;
+      rows.push_back(measure(folder, preset, overrides, options.steps));
+    }
   }
   if (!known) throw scenes::InputError(options.scene + ": unknown scene; see `halsted scenes`");
+  if (!knownPreset) throw scenes::InputError(options.scene + ": has no preset '" + options.preset + "'");
   if (options.json) std::printf("%s\n", rows.dump(2).c_str());
   else printTable(rows);
   return 0;

@@ -108,7 +108,7 @@ void addBench(CLI::App& app, CommandLine& line) {
   CLI::App* command = app.add_subcommand("bench", "what a physics step and a frame cost here, beside the published figures");
   command->add_option("--scene", line.bench.scene, "one scene only");
   command->add_option("--steps", line.bench.steps, "steps to measure")->capture_default_str()->check(CLI::Range(1, 100'000'000));
-  command->add_option("--preset", line.bench.preset, "default or paper; both when not given")->check(CLI::IsMember({"default", "paper"}));
+  command->add_option("--preset", line.bench.preset, "default, or paper where the scene has it; both when not given")->check(CLI::IsMember({"default", "paper"}));
   CLI::Option* stress = command->add_option("--stress", line.bench.stress, "stitch after stitch to fifty: what a step costs, as in the paper's figures 20 to 23")
                             ->check(CLI::IsMember({"two-bodies", "one-body"}))->excludes("--scene", "--preset");
   command->add_option("--plot", line.bench.plot, "SVG file for the curve (default: stress-<series>.svg)")->needs(stress);

@@ -57,6 +57,7 @@ TEST(CommandLine, HelpTeachesWithExamples) {
 TEST(CommandLine, UnknownNamesAreNamed) {
   expectRefused({"train", "appendix", "--headless"}, "appendix");
   expectRefused({"train", "purse_string", "--headless", "--left", "novint"}, "novint");
+  expectRefused({"bench", "--scene", "altemeier", "--preset", "paper"}, "altemeier: has no preset 'paper'");
   expectRefused({"train", "purse_string", "--headless", "--left", "script:none.toml"}, "none.toml");
   expectRefused({"replay", "none.toml"}, "none.toml");
   expectRefused({"replay", "none.halsted"}, "none.halsted");
@@ -103,6 +104,14 @@ TEST(CommandLine, BenchPrintsItsRows) {
   EXPECT_EQ(rows[1]["preset"], "paper");
   EXPECT_EQ(rows[1]["published_ms"], 5.61);
   for (const char* key : {"particles", "tets", "thread_nodes", "step_ms", "frame_ms", "published_hardware"}) EXPECT_TRUE(rows[0].contains(key)) << key;
+}
+
+TEST(CommandLine, BenchMeasuresAPresetOnlyWhereASceneHasIt) {
+  const ProcessResult result = runHalsted({"bench", "--preset", "paper", "--steps", "20", "--json"});
+  ASSERT_EQ(result.exitCode, 0) << result.errors;
+  std::vector<std::string> scenes;
+  for (const auto& row : nlohmann::json::parse(result.output)) scenes.push_back(row["scene"]);
+  EXPECT_THAT(scenes, ::testing::UnorderedElementsAre("acupuncture", "connell", "lembert", "purse_string", "stay"));
 }
 
 }  // namespace
