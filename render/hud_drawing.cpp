@@ -89,14 +89,18 @@ void drawTiming(const Pen& pen, float right, const HudInput& hud) {
   pen.print(x + 12, 55, kDim, "picture  %.0f / s", hud.framesPerSecond);
 }
 
+/// Between the panels of the procedure and of the timing; what is longer goes on in the next line.
 void drawWarnings(const Pen& pen, float right, const HudInput& hud) {
+  constexpr float kLeftEdge = 396.0f, kRightEdge = 264.0f, kMargin = 20.0f, kSize = 17.0f;   // pixels
   float y = 14;                                            // pixels
   const auto banner = [&](const char* words, ImU32 color) {
-    const float w = pen.width(words, 17) + 40.0f, x = std::max(0.5f * (right - w), 396.0f);   // pixels
-    pen.panel(x, y, w, 32);
-    pen.list->AddRectFilled(pen.at(x, y), pen.at(x + 5, y + 32), color);
-    pen.text(x + 20, y + 6, color, words, 17);
-    y += 38;
+    const float room = right - kRightEdge - kLeftEdge;     // pixels
+    const float w = std::min(pen.width(words, kSize) + 2.0f * kMargin, room), x = std::max(0.5f * (right - w), kLeftEdge);   // pixels
+    const float wrap = room - 2.0f * kMargin, h = pen.height(words, kSize, wrap) + 15.0f;   // pixels
+    pen.panel(x, y, w, h);
+    pen.list->AddRectFilled(pen.at(x, y), pen.at(x + 5, y + h), color);
+    pen.text(x + kMargin, y + 6, color, words, kSize, wrap);
+    y += h + 6;
   };
   if (hud.stale) banner("Physics stalled: forces are faded out", kBad);
   if (hud.late) banner("Physics is late: the scene runs slower than the clock", kWarn);

@@ -42,6 +42,9 @@ struct Pen {
   float width(const char* words, float size = 15.0f) const {                       // [pixels] of a 720-line picture
     return ImGui::GetFont()->CalcTextSizeA(size * scale, 1e9f, 0.0f, words).x / scale;
   }
+  float height(const char* words, float size, float wrap) const {                  // [pixels] of a 720-line picture
+    return ImGui::GetFont()->CalcTextSizeA(size * scale, 1e9f, wrap * scale, words).y / scale;
+  }
   template <typename... Args>
   void print(float x, float y, ImU32 color, const char* format, Args... args) const {   // [pixels]
     char line[256];

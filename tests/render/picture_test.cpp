@@ -101,6 +101,25 @@ TEST_F(Picture, DrawsTheHeadUpDisplayOnlyWhenAsked) {
   EXPECT_TRUE(differs());
 }
 
+TEST_F(Picture, ALongMessageGoesOnInTheNextLineBeforeTheTiming) {
+  constexpr int kWide = 1280, kHigh = 720, kTiming = 252, kLineEnd = 46;   // pixels
+  Renderer renderer(scene, kWide, kHigh);
+  HudInput hud;
+  const Frame without = renderer.draw(snapshot, hud, scene.camera);
+  for (int i = 0; i < 12; ++i) hud.message += "left button: close ";
+  const Frame with = renderer.draw(snapshot, hud, scene.camera);
+  int right = 0, below = 0;                              // pixels that the message has changed beside the timing, under its first line
+  for (int y = 0; y < kHigh; ++y)
+    for (int x = 0; x < kWide; ++x) {
+      const std::size_t at = 4 * (static_cast<std::size_t>(y) * kWide + static_cast<std::size_t>(x));
+      if (std::equal(&with.rgba[at], &with.rgba[at] + 4, &without.rgba[at])) continue;
+      right += x >= kWide - kTiming;
+      below += y > kLineEnd;
+    }
+  EXPECT_EQ(right, 0);
+  EXPECT_GT(below, 1000);
+}
+
 TEST_F(Picture, GrowsNoMemoryOnceWarm) {
   Renderer renderer(scene, kWidth, kHeight);
   const auto heldAfter = [&](int frames) {
