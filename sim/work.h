@@ -7,6 +7,7 @@
 #include "sim/strand/knot_diagram.h"
 #include "sim/strand/strand.h"
 #include "sim/strand/thread_contacts.h"
+#include "sim/suture/tissue_point.h"
 #include "sim/tissue/tissue_state.h"
 #include "sim/tools/tool_state.h"
 #include "sim/types.h"
@@ -23,8 +24,12 @@ struct TissueWork {
 
 /// Used by sim/suture: per hole, the tissue's own compliance there, and a bound that includes the pull of the other holes.
 struct HoleWork {
+  static constexpr int kNeighbours = 3;        // the holes that follow, whose push counts in a hole's bound
   std::array<double, StrandState::kMaxHoles> self{}, bound{};   // [m/N]
   std::array<Vec3, StrandState::kMaxHoles> point{};             // [m] the hole in the predicted tissue
+  // A hole stays where it is in the tissue: its compliances are read anew only where it has another place than `seen`.
+  std::array<TissuePoint, StrandState::kMaxHoles> seen{};
+  std::array<std::array<double, kNeighbours>, StrandState::kMaxHoles> shared{};   // [m/N] size, with each that follows
 };
 
 /// Used by sim/contact: all pairs of a turn's triangles that can be near while no vertex goes farther than kPairDrift from `place`.

@@ -16,23 +16,37 @@ constexpr double kMostSlide = 1e-3;            // [m] a step: 1 m/s of thread th
 // Taut thread from bowel to bowel, straight or over a knot, slides through the holes at both its ends, and each of them would make up for
 // the whole misfit. A share of it a step: at a third the pair of holes still chatters, at a tenth a drawn stitch comes to rest (tuned: the laws of AssistKnot).
 constexpr double kSharedSlide = 0.1;           // [1]
+// So do, along a thread with many holes, those at both ends of every stretch: past some twenty bites the misfit runs to and fro and the
+// thread shakes by itself. A third of it a step ends that (tuned: `bench --stress one-body`). Fewer holes come to rest by their friction.
+constexpr int kManyHoles = 24;
+constexpr double kManyShare = 0.3;             // [1]
 constexpr double kWithdrawForce = 0.02;        // [N] drag on a tip drawn back along its own cut (design)
 
 bool onNeedle(const Model& m, const Hole& h) { return h.coordinate > m.strand.length; }
 
+/// Sixty-four entries of a matrix of megabytes for each hole: most of what many holes would cost.
+void lookUpCompliances(const Model& m, const StrandState& s, HoleWork& w) {
+  std::array<bool, StrandState::kMaxHoles> moved{};
+  for (int i = 0; i < StrandState::kMaxHoles; ++i) {
+    const TissuePoint place = i < s.holeCount ? placeOf(s.holes[i]) : TissuePoint{};
+    moved[i] = !(place == w.seen[i]);
+    w.seen[i] = place;
+    if (moved[i] && i < s.holeCount) w.self[i] = complianceBetween(m, place, place);
+  }
+  for (int i = 0; i < s.holeCount; ++i)
+    for (int j = i + 1; j < s.holeCount && j <= i + HoleWork::kNeighbours; ++j)
+      if (moved[i] || moved[j]) w.shared[i][j - i - 1] = magnitude(complianceBetween(m, w.seen[i], w.seen[j]));
+}
+
 /// Own compliance, and an upper bound for the coupled system: with it the incremental exchange of force can only undershoot.
 void holeCompliances(const Model& m, const StrandState& s, HoleWork& w) {
-  constexpr int kNeighbours = 3;
   constexpr double kFarShare = 0.06;           // [1] of the own compliance per farther hole; tuned: rings of 20 holes converge
+  lookUpCompliances(m, s, w);
+  for (int i = 0; i < s.holeCount; ++i) w.bound[i] = w.self[i] * (1.0 + kFarShare * s.holeCount);
   for (int i = 0; i < s.holeCount; ++i) {
-    w.self[i] = complianceBetween(m, placeOf(s.holes[i]), placeOf(s.holes[i]));
-    w.bound[i] = w.self[i] * (1.0 + kFarShare * s.holeCount);
-  }
-  for (int i = 0; i < s.holeCount; ++i) {
-    for (int j = i + 1; j < s.holeCount && j <= i + kNeighbours; ++j) {
-      const double shared = magnitude(complianceBetween(m, placeOf(s.holes[i]), placeOf(s.holes[j])));
-      w.bound[i] += shared;
-      w.bound[j] += shared;
+    for (int j = i + 1; j < s.holeCount && j <= i + HoleWork::kNeighbours; ++j) {
+      w.bound[i] += w.shared[i][j - i - 1];
+      w.bound[j] += w.shared[i][j - i - 1];
     }
   }
 }
@@ -92,7 +106,8 @@ Vec3 settleFriction(const Model& m, State& state, int i, const Vec3& solved) {
   }
   const Vec3 point = w.point[i] - w.self[i] * (solved - h.force);
   const bool shared = leadsToOtherBowel(m, s, i, 1) || leadsToOtherBowel(m, s, i, -1) || leadsOverKnot(m, state, i);
-  const double slide = (shared ? kSharedSlide : 1.0) * t.dot(point - strandPoint(m.strand, s, h.coordinate));   // [m]
+  const double share = shared ? kSharedSlide : s.holeCount > kManyHoles ? kManyShare : 1.0;   // [1]
+  const double slide = share * t.dot(point - strandPoint(m.strand, s, h.coordinate));   // [m]
   if (h.slip * slide < 0.0 || blocked(m, state, i, h.slip)) { h.slip = 0; return solved; }
   const double tip = tipCoordinate(m.strand);                  // past the tip there is no strand: the way out of the hole counts
   const double from = h.coordinate < tip ? h.coordinate : tip;

@@ -13,6 +13,7 @@ struct Model;
 struct TissuePoint {
   std::int32_t tet = -1;
   std::array<double, 4> weight{};              // [1] barycentric
+  bool operator==(const TissuePoint&) const = default;
 };
 
 Vec3 pointOf(const Model&, const TissuePoint&, std::span<const Vec3> tissue);   // [m]
