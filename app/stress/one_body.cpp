@@ -85,21 +85,30 @@ StressPoint look(TimedRun& run, int bites) {
 
 }  // namespace
 
+Scenario oneBodyScenario() { return scenarioFromScene("purse_string", {"thread.nodes=280"}, {}); }
+
+StressPoint oneBodyWith(const Scenario& scenario, int bites) {
+  const Model& m = scenario.model;
+  if (bites == 0) {
+    TimedRun empty(m, scenario.start);
+    empty.run(kSettle);
+    return look(empty, 0);
+  }
+  const Lacing l = lacing(m, bites);
+  TimedRun run(m, handsAt(m, scenario.start, l));
+  layThread(m, l, run.state.strand);
+  openHoles(l, run.state.strand);
+  run.run(kSettle);
+  return look(run, bites);
+}
+
 StressSeries stressOneBody(Progress& progress) {
-  const Scenario scenario = scenarioFromScene("purse_string", {"thread.nodes=280"}, {});
+  const Scenario scenario = oneBodyScenario();
   const Model& m = scenario.model;
   StressSeries series{"one-body", "one open bowel end, one running thread in and out of its wall", m.params.dt,
                       tissueParticles(m), static_cast<int>(m.mesh.tets.size()), threadNodes(m), {}};
-  TimedRun empty(m, scenario.start);
-  empty.run(kSettle);
-  series.points.push_back(look(empty, 0));
-  for (int n = 1; n <= kMostStressed; ++n) {
-    const Lacing l = lacing(m, n);
-    TimedRun run(m, handsAt(m, scenario.start, l));
-    layThread(m, l, run.state.strand);
-    openHoles(l, run.state.strand);
-    run.run(kSettle);
-    series.points.push_back(look(run, n));
+  for (int n = 0; n <= kMostStressed; ++n) {
+    series.points.push_back(oneBodyWith(scenario, n));
     progress.show("one body, bite " + std::to_string(n));
   }
   return series;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/progress.h"
+#include "app/scenario.h"
 
 namespace halsted::app {
 
@@ -33,6 +34,10 @@ inline constexpr int kTimedSteps = 400;
 StressSeries stressTwoBodies(Progress&);
 /// One open end with one running thread of 56 cm, in and out of the wall along a spiral behind its rim.
 StressSeries stressOneBody(Progress&);
+
+/// Its scene, and one of its points: the thread laid with `bites` bites (0 to kMostStressed), left to settle, then timed.
+Scenario oneBodyScenario();
+StressPoint oneBodyWith(const Scenario&, int bites);
 
 /// Frame of 12 ms against stitches, with the paper's two published points. Throws scenes::InputError when the file cannot be written.
 void writePlot(const StressSeries&, const std::string& file);

@@ -18,7 +18,7 @@ constexpr double kMostSlide = 1e-3;            // [m] a step: 1 m/s of thread th
 constexpr double kSharedSlide = 0.1;           // [1]
 // So do, along a thread with many holes, those at both ends of every stretch: past some twenty bites the misfit runs to and fro and the
 // thread shakes by itself. A third of it a step ends that (tuned: `bench --stress one-body`). Fewer holes come to rest by their friction.
-constexpr int kManyHoles = 24;
+constexpr int kManyHoles = 18;
 constexpr double kManyShare = 0.3;             // [1]
 constexpr double kWithdrawForce = 0.02;        // [N] drag on a tip drawn back along its own cut (design)
 

@@ -38,6 +38,17 @@ TEST(WallPoints, AreMirroredAtTheOtherEnd) {
   }
 }
 
+/// Over the rod, through two holes or through a hundred: what is drawn lies still, and is solved at once.
+TEST(OneBody, ARunningThreadComesToRest) {
+  const Scenario scenario = oneBodyScenario();
+  for (const int bites : {5, 10, 15, 25, 40, 49, 50}) {
+    const StressPoint p = oneBodyWith(scenario, bites);
+    EXPECT_LT(p.threadSpeed, 0.02) << bites << " bites";         // [m/s]
+    EXPECT_LT(p.iterations, 1.5) << bites << " bites";
+    EXPECT_EQ(p.torn, 0) << bites << " bites";
+  }
+}
+
 TEST(StressPlot, ShowsEveryPointAndRefusesAFileItCannotWrite) {
   const testing::TemporaryFolder folder;
   StressSeries series{"two-bodies", "two ends", 1e-3, 1, 1, 1, {}};
