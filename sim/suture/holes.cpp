@@ -4,6 +4,7 @@
 
 #include "sim/lanes.h"
 #include "sim/suture/cut.h"
+#include "sim/suture/hole_compliances.h"
 #include "sim/suture/hole_limits.h"
 #include "sim/suture/hole_sides.h"
 #include "sim/suture/knotting.h"
@@ -23,33 +24,6 @@ constexpr double kManyShare = 0.3;             // [1]
 constexpr double kWithdrawForce = 0.02;        // [N] drag on a tip drawn back along its own cut (design)
 
 bool onNeedle(const Model& m, const Hole& h) { return h.coordinate > m.strand.length; }
-
-/// Sixty-four entries of a matrix of megabytes for each hole: most of what many holes would cost.
-void lookUpCompliances(const Model& m, const StrandState& s, HoleWork& w) {
-  std::array<bool, StrandState::kMaxHoles> moved{};
-  for (int i = 0; i < StrandState::kMaxHoles; ++i) {
-    const TissuePoint place = i < s.holeCount ? placeOf(s.holes[i]) : TissuePoint{};
-    moved[i] = !(place == w.seen[i]);
-    w.seen[i] = place;
-    if (moved[i] && i < s.holeCount) w.self[i] = complianceBetween(m, place, place);
-  }
-  for (int i = 0; i < s.holeCount; ++i)
-    for (int j = i + 1; j < s.holeCount && j <= i + HoleWork::kNeighbours; ++j)
-      if (moved[i] || moved[j]) w.shared[i][j - i - 1] = magnitude(complianceBetween(m, w.seen[i], w.seen[j]));
-}
-
-/// Own compliance, and an upper bound for the coupled system: with it the incremental exchange of force can only undershoot.
-void holeCompliances(const Model& m, const StrandState& s, HoleWork& w) {
-  constexpr double kFarShare = 0.06;           // [1] of the own compliance per farther hole; tuned: rings of 20 holes converge
-  lookUpCompliances(m, s, w);
-  for (int i = 0; i < s.holeCount; ++i) w.bound[i] = w.self[i] * (1.0 + kFarShare * s.holeCount);
-  for (int i = 0; i < s.holeCount; ++i) {
-    for (int j = i + 1; j < s.holeCount && j <= i + HoleWork::kNeighbours; ++j) {
-      w.bound[i] += w.shared[i][j - i - 1];
-      w.bound[j] += w.shared[i][j - i - 1];
-    }
-  }
-}
 
 /// Length of strand inside the wall at this hole's bite [m].
 double insideLength(const StrandState& s, const Hole& h) {
