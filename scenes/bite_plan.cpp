@@ -3,12 +3,14 @@
 #include <cmath>
 
 #include "sim/contact/surface.h"
+#include "sim/cutting/edge.h"
 #include "sim/portable_math.h"
 #include "sim/strand/strand_model.h"
 
 namespace halsted::scenes {
 namespace {
 
+constexpr double kBeside = 8.0;                // [deg] an edge so near to a bite counts for it
 constexpr double kClockwiseStep = 0.25;        // [deg] when walking along the rim to the exit
 
 struct Hit { TissuePlace place; double reach = -1.0; };   // [m] from the axis of the opening
@@ -40,6 +42,18 @@ TissuePlace placeOnWall(const Model& m, const WallSpot& spot) {
   return best.place;
 }
 
+double edgeBehindRim(const Model& m, const State& s, int bowel, double angleDegrees) {
+  const double angle = angleDegrees * kPi / 180.0, beside = cosine(kBeside * kPi / 180.0);   // [rad], [1]
+  const Opening& o = m.bowels.opening[bowel];
+  const Vec3 direction = cosine(angle) * o.right + sine(angle) * o.up;
+  double deepest = 0.0;                        // [m]
+  for (int v : edgeOf(m, s, bowel)) {
+    const Vec3 from = m.mesh.vertices[v] - o.centre, round = from - from.dot(o.axis) * o.axis;
+    if (round.dot(direction) > beside * round.norm()) deepest = std::fmax(deepest, -from.dot(o.axis));
+  }
+  return deepest;
+}
+
 Vec3 positionOf(const Model& m, const State& s, const TissuePlace& p) { return pointOn(m.surface, s.tissue.position, p.triangle, p.weight); }
 
 Vec3 normalOf(const Model& m, const State& s, const TissuePlace& p) {
@@ -48,11 +62,12 @@ Vec3 normalOf(const Model& m, const State& s, const TissuePlace& p) {
   return (x[v[1]] - x[v[0]]).cross(x[v[2]] - x[v[0]]).normalized();
 }
 
-bool planPlaces(const Model& m, const ExpertAction& a, BitePlan& plan) {
+bool planPlaces(const Model& m, const ExpertAction& a, BitePlan& plan, const State* cut) {
   if (a.width > 1.8 * m.strand.needle.radius) return false;
   if (a.across) {                              // from the mucosa of the first wall to that of the second, which stands inside it
-    plan.entry = placeOnWall(m, {0, a.angleDegrees, a.depth, kMucosa});
-    plan.exit = placeOnWall(m, {1, a.angleDegrees, a.depth, kMucosa});
+    const auto depth = [&](int wall) { return a.depth + (cut ? edgeBehindRim(m, *cut, wall, a.angleDegrees) : 0.0); };   // [m]
+    plan.entry = placeOnWall(m, {0, a.angleDegrees, depth(0), kMucosa});
+    plan.exit = placeOnWall(m, {1, a.angleDegrees, depth(1), kMucosa});
     plan.middleDegrees = a.angleDegrees;
     return plan.entry.triangle >= 0 && plan.exit.triangle >= 0;
   }

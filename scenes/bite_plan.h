@@ -17,6 +17,8 @@ struct WallSpot { int bowel = 0; double angleDegrees = 0.0, depth = 0.0; int lay
 
 /// Outermost wall there, in the anatomy at rest. triangle -1: there is none.
 TissuePlace placeOnWall(const Model&, const WallSpot&);
+/// How far behind its rim a bowel ends now in a direction: what a cut has left.  [m] [deg]
+double edgeBehindRim(const Model&, const State&, int bowel, double angleDegrees);
 Vec3 positionOf(const Model&, const State&, const TissuePlace&);            // [m]
 Vec3 normalOf(const Model&, const State&, const TissuePlace&);              // [1] outward
 
@@ -30,7 +32,7 @@ struct BitePlan {
 };
 
 /// False when the wall has no such place or the needle is too small for the width.
-bool planPlaces(const Model&, const ExpertAction&, BitePlan&);
+bool planPlaces(const Model&, const ExpertAction&, BitePlan&, const State* cut = nullptr);   // `cut`: depths across count from what a cut has left
 /// Looks at the tissue as it lies now; `dip` sets the circle deeper than the places ask, for the wall dimples.  [m] [m]
 void planCircle(const Model&, const State&, const ExpertAction&, double dip, BitePlan&);
 

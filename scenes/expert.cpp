@@ -141,9 +141,11 @@ void repeatAt(const std::vector<double>& places, const std::string& origin, std:
   const std::vector<ExpertAction> once(changed.base(), actions.end());
   if (actions.size() + places.size() * once.size() > kMaxActions) throw InputError(origin + ": stitch_at_deg: more than 1000 actions");
   actions.erase(changed.base(), actions.end());
+  // Two ends that face each other are seen from opposite sides; the walls of a prolapse, one in the other, from the same.
+  const bool facing = std::none_of(actions.begin(), actions.end(), [](const ExpertAction& a) { return a.kind == "cut_ring"; });
   for (double place : places)
     for (ExpertAction action : once) {
-      if (action.kind == "bite") action.angleDegrees += action.bowel == 0 ? place : -place;
+      if (action.kind == "bite") action.angleDegrees += action.bowel == 1 && facing ? -place : place;
       actions.push_back(action);
     }
   if (actions.back().kind == "fresh_thread" && once.size() > 1) actions.pop_back();

@@ -26,7 +26,7 @@ struct ExpertAction {
                                                // of the pen's tip in the wall at most
   double exitDepth = 0.0;                      // exit_depth_mm [m] a bite across the edge comes out here, at the same angle; 0: along the rim
   bool counterClockwise = false;               // counter_clockwise: the bite runs the other way along the rim
-  bool across = false;                         // across: in one go through both walls, one in the other, mucosa to mucosa
+  bool across = false;                         // across: in one go through both walls, one in the other, mucosa to mucosa; depths from the edges that a cut has left
   bool through = false;                        // through: outside in and inside out, the needle crosses the lumen between; else it stays in the wall
   double sink = 0.0;                           // sink_mm [m] deeper than the places ask: through the mucosa and back
   double tilt = 0.0;                           // tilt_deg [deg] of the needle's plane, lifts the driver's shaft off the wall; of the pen toward the surgeon

@@ -21,6 +21,8 @@ constexpr double kPressAngle = 0.2;            // [rad] past the planned entry: 
 constexpr double kPressSpeed = 0.012, kPressMost = 0.010;      // [m/s] [m] along the needle's point
 constexpr double kDrawSpeed = 0.02;            // [m/s] needle out along the arc
 constexpr double kPullSpeed = 0.06;            // [m/s] thread through
+constexpr double kStill = 1.5, kGently = 0.5;  // [s] over two cut edges, until the thread hangs still; [1] of the speeds there, it lies across them
+constexpr double kMostPull = 1.5, kFeelTime = 0.03;   // [N] at which it pulls no farther; [s]
 constexpr double kReach = 0.065;               // [m] an arm's move inside the device's workspace
 constexpr double kCounterDepth = 2.5e-3;       // [m] from the rim: where the forceps hold the wall against the needle
 constexpr double kHalfWall = 1e-3;             // [m]
@@ -45,6 +47,8 @@ double driverCoordinate(const Model& m) { return m.strand.length + kDriverHold *
 Pose toolFor(const Scene& s, int hand, const Pose& needle) { return compose(needle, inverse(s.state.tools[hand].needleInTool)); }
 
 Pose onCircle(const Scene& s, const Vec3& offset) { return needleOnCircle(s.model, s.memory.plan, s.memory.tipAngle, offset); }
+
+double gently(const Scene& s, double speed) { return s.action.across ? kGently * speed : speed; }   // [m/s]
 
 /// The circle as far as pressing has carried it along.
 Pose onPressedCircle(const Scene& s) { return onCircle(s, s.memory.pressed * s.memory.pressAlong); }
@@ -183,7 +187,7 @@ void besideThread(const Scene& s) {
 void hold(const Scene& s) {
   ExpertState& e = s.memory;
   moveHand(s, kRight, toolFor(s, kRight, onCircle(s, kClear * e.plan.out)), 0.10);
-  if (s.model.bowels.opening[s.action.bowel].axis.z() < kReachable) return goTo(s, kNear);
+  if (s.action.across || s.model.bowels.opening[s.action.bowel].axis.z() < kReachable) return goTo(s, kNear);
   if (s.inPhase < 1.5 * s.dt && e.phase == kHold && s.state.metrics.seam) besideThread(s);
   if (pickUp(s, kLeft, counterGrip(s), kHold)) nextPhase(s);
 }
@@ -194,13 +198,13 @@ void drive(const Scene& s, std::string& failure) {
   if (e.phase == kNear) {
     planCircle(s.model, s.state, s.action, e.dip, e.plan);
     e.tipAngle = e.plan.entryAngle - kLeadIn;
-    if (moveHand(s, kRight, toolFor(s, kRight, onCircle(s, kClear * e.plan.out)), 0.10) && s.inPhase > 0.3) nextPhase(s);
+    if (moveHand(s, kRight, toolFor(s, kRight, onCircle(s, kClear * e.plan.out)), 0.10) && s.inPhase > (s.action.across ? kStill : 0.3)) nextPhase(s);
   } else if (e.phase == kWithdraw) {
     withdraw(s, failure);
   } else if (e.phase == kBackOff) {
     if (moveHand(s, kRight, toolFor(s, kRight, onCircle(s, kClear * e.plan.out)), 0.06)) goTo(s, kNear);
   } else if (e.phase == kTouch) {
-    if (moveHand(s, kRight, toolFor(s, kRight, onCircle(s, Vec3::Zero())), 0.03) && s.inPhase > 0.5) nextPhase(s);
+    if (moveHand(s, kRight, toolFor(s, kRight, onCircle(s, Vec3::Zero())), gently(s, 0.03)) && s.inPhase > 0.5) nextPhase(s);
   } else {
     const bool out = exits(s) >= (s.action.through || s.action.across ? 2 : 1) && !tipInWall(s.state);
     const double most = e.plan.exitAngle + (out ? kLeadOut : kLeadOutMost);
@@ -232,6 +236,13 @@ void handOver(const Scene& s) {
   }
 }
 
+/// Over two cut edges thread catches: there the hand gives it time where it feels it.  [1] of the speed
+double feltPace(const Scene& s) {
+  double& felt = s.memory.felt[kLeft];         // [N]
+  felt += s.dt / kFeelTime * (s.state.tools[kLeft].needleForce.norm() - felt);
+  return s.action.across ? kGently * std::fmax(0.0, 1.0 - felt / kMostPull) : 1.0;
+}
+
 /// Out along the arc, then the thread after it.
 bool drawThrough(const Scene& s) {
   ExpertState& e = s.memory;
@@ -243,21 +254,21 @@ bool drawThrough(const Scene& s) {
     if (!there) return false;
     e.pullFrom = e.hand[kLeft].command.position;
     e.pullAlong = (e.plan.out + 0.6 * Vec3::UnitZ()).normalized();
-    e.pulled = 0.0;
+    e.pulled = e.felt[kLeft] = 0.0;
     nextPhase(s);
     return false;
   }
   const Hole* exit = exitHole(s.state, e.bite);
   const double through = exit ? s.model.strand.length - exit->coordinate : 0.0;   // [m] of thread drawn past the exit
   if (through >= s.action.pull || e.pulled >= kReach) return true;
-  e.pulled += kPullSpeed * s.dt;
+  e.pulled += kPullSpeed * feltPace(s) * s.dt;
   moveHand(s, kLeft, {e.pullFrom + e.pulled * e.pullAlong, e.hand[kLeft].command.orientation}, 0.2);
   return false;
 }
 
 /// Looks for the places of this bite in the anatomy; false when there are none.
 bool choosePlaces(const Scene& s) {
-  if (!planPlaces(s.model, s.action, s.memory.plan)) return false;
+  if (!planPlaces(s.model, s.action, s.memory.plan, &s.state)) return false;
   s.memory.counter = placeOnWall(s.model, {s.action.bowel, s.memory.plan.middleDegrees, kCounterDepth});
   return s.memory.counter.triangle >= 0;
 }

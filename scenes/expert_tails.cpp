@@ -25,6 +25,7 @@ constexpr double kHoldTight = 1.5;             // [s]
 constexpr double kSnug = 0.15, kClosed = 0.13; // [1] of the opening at rest: it lies on the anvil; no need to draw any more
 constexpr double kWallsMeet = 2e-3;            // [m] of gap between two ends that looks as open as an opening at rest
 constexpr double kDrawSpeed = 0.04, kDrawReach = 0.06;           // [m/s] [m] of one stroke
+constexpr double kMostPull = 1.5;              // [N] at which a hand that feels draws no farther
 const Vec3 kDrawWay = Vec3(0.5, 0.6, 0.6).normalized();          // [1] of the driver: up, toward the surgeon, to its own side
 
 /// Distance of a place on the thread from the wall and from the rest of the thread: jaws that close there take hold of nothing else.  [m]
@@ -127,12 +128,14 @@ bool runDraw(const Scene& s, std::string& failure) {
   } else if (e.phase <= 3) {
     if (!takeThread(s, kRight, 1, needlePlace)) return false;
     e.goal[kRight] = e.hand[kRight].command;
-    e.drawn[kRight] = 0.0;
+    e.drawn[kRight] = e.felt[kRight] = 0.0;
     nextPhase(s);
   } else {
     const double through = s.model.strand.length - s.state.strand.holes[s.state.strand.holeCount - 1].coordinate;   // [m]
     if (through >= s.action.pull) return true;
-    e.drawn[kRight] += kDrawSpeed * s.dt;
+    e.felt[kRight] += s.dt / kFeelTime * (s.state.tools[kRight].threadForce.norm() - e.felt[kRight]);
+    const double pace = s.state.cut ? std::fmax(0.0, 1.0 - e.felt[kRight] / kMostPull) : 1.0;   // [1] over cut edges thread catches
+    e.drawn[kRight] += pace * kDrawSpeed * s.dt;
     moveHand(s, kRight, {e.goal[kRight].position + e.drawn[kRight] * kDrawWay, e.goal[kRight].orientation}, 0.1);
     if (e.drawn[kRight] > kDrawReach) e.phase = 0;
   }

@@ -108,7 +108,7 @@ template <class V> void visitMembers(TissueState& object, FieldWalk<V>& walk) {
                position, velocity, rotation, pressure, rodForce, pairCount, droppedPairs, pairVertex, pairTriangle, pairForce);
   if (!gone.empty()) walk.members("heat, gone, left, piece", heat, gone, left, piece);
 }
-HALSTED_FIELDS(CutState, piece, bare, tie, pieces, goneTets)
+HALSTED_FIELDS(CutState, piece, bare, tie, edge, pieces, goneTets)
 HALSTED_FIELDS(Hole, tet, weight, coordinate, force, slip, bite, role, entryCosine)
 HALSTED_FIELDS(StrandContact, sample, feature, normalForce, force, weight)
 /// Of the holes only those that there are.

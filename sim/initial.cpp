@@ -22,6 +22,7 @@ void beginCut(const Model& m, State& s) {
   s.cut->piece.assign(tets, 0);
   s.cut->bare.assign(particles, 0);
   s.cut->tie.assign(m.surface.neighbour.size(), 1);
+  for (int wall = 0; wall < kCutWalls; ++wall) s.cut->edge[wall].resize(m.cut.edge[wall].size());
   s.metrics.cut.emplace();
   s.work.cut.parent.resize(particles);
   s.work.cut.label.resize(particles);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/contact/geometry.h"
+#include "sim/cutting/edge.h"
 #include "sim/join_stretch.h"
 #include "sim/model.h"
 #include "sim/state.h"
@@ -61,9 +62,10 @@ SewnStretch stretchBetween(int from, int to, int around) {
   return up <= down ? SewnStretch{from, up + 1} : SewnStretch{to, down + 1};
 }
 
-double edgeDistance(const Model& m, std::span<const Vec3> x, int bowel, int column) {   // [m]
-  const Vec3& p = x[m.bowels.rim[bowel][column]];
-  const auto& other = m.bowels.rim[1 - bowel];
+double edgeDistance(const Model& m, const State& s, int bowel, int column) {   // [m]
+  const auto& x = s.tissue.position;
+  const Vec3& p = x[edgeOf(m, s, bowel)[column]];
+  const std::span<const int> other = edgeOf(m, s, 1 - bowel);
   double least = 1e300;                        // [m]
   for (std::size_t i = 0; i < other.size(); ++i) {
     const Vec3 &a = x[other[i]], &b = x[other[(i + 1) % other.size()]];
@@ -72,10 +74,19 @@ double edgeDistance(const Model& m, std::span<const Vec3> x, int bowel, int colu
   return least;
 }
 
-double wallDistance(const Model& m, const SurfaceNow& now, const EdgeColumn& c) {     // [m]
+/// Where the search for the other bowel's surface starts: not at what has been cut away.
+int startOpposite(const Model& m, const State& s, const EdgeColumn& c, int i) {
+  const int near = c.facing[i], other = m.bowels.of[near];
+  return !s.cut || s.cut->bare[near] ? near : edgeOf(m, s, other)[columnNear(m, other, m.mesh.vertices[near])];
+}
+
+/// From what the cut has left of a column.  [m]
+double wallDistance(const Model& m, const State& s, const EdgeColumn& c, int edge) {
+  const SurfaceNow now{s.tissue.position, s.tissue.gone};
   double least = kReach;
   for (int i = 0; i < c.count; ++i) {
-    int near = c.facing[i];
+    if (m.mesh.uv[c.vertex[i]].y() < m.mesh.uv[edge].y()) continue;
+    int near = startOpposite(m, s, c, i);
     const SurfacePoint p = nearestSurface(m.surface, now, now.position[c.vertex[i]], kReach, near);
     if (p.triangle >= 0) least = std::fmin(least, std::fmax(0.0, p.distance));
   }
@@ -83,8 +94,8 @@ double wallDistance(const Model& m, const SurfaceNow& now, const EdgeColumn& c) 
 }
 
 /// Sine of the edge's turn toward the lumen against the wall behind it.  [1]
-double turnIn(std::span<const Vec3> x, const EdgeColumn& c) {
-  const Vec3 edge = (x[c.vertex[0]] - x[c.base]).normalized(), wall = (x[c.base] - x[c.deep]).normalized();
+double turnIn(std::span<const Vec3> x, const EdgeColumn& c, int edgeVertex) {
+  const Vec3 edge = (x[edgeVertex] - x[c.base]).normalized(), wall = (x[c.base] - x[c.deep]).normalized();
   const Vec3 thick = x[c.inner] - x[c.base];
   const Vec3 inward = (thick - thick.dot(wall) * wall).normalized();
   return edge.dot(inward);
@@ -116,15 +127,15 @@ int columnNear(const Model& m, int bowel, const Vec3& rest) {
   return best;
 }
 
-void measureStretch(const Model& m, const SurfaceNow& now, int bowel, const SewnStretch& sewn, JoinMetrics& join) {
-  const std::span<const Vec3> x = now.position;
+void measureStretch(const Model& m, const State& s, int bowel, const SewnStretch& sewn, JoinMetrics& join) {
+  const std::span<const int> edge = edgeOf(m, s, bowel);
   const auto& columns = m.join.columns[bowel];
   const int around = static_cast<int>(columns.size());
   for (int i = 0; i < sewn.count; ++i) {
     const int column = (sewn.first + i) % around;
-    join.rimGap = std::fmax(join.rimGap, edgeDistance(m, x, bowel, column));
-    join.wallGap = std::fmax(join.wallGap, wallDistance(m, now, columns[column]));
-    join.inversion += turnIn(x, columns[column]) - turnIn(m.mesh.vertices, columns[column]);
+    join.rimGap = std::fmax(join.rimGap, edgeDistance(m, s, bowel, column));
+    join.wallGap = std::fmax(join.wallGap, wallDistance(m, s, columns[column], edge[column]));
+    join.inversion += turnIn(s.tissue.position, columns[column], edge[column]) - turnIn(m.mesh.vertices, columns[column], edge[column]);
   }
 }
 
@@ -160,7 +171,7 @@ JoinMetrics measureJoin(const Model& m, const State& s) {
   }
   if (join.crossings == 0) { join.rimGap = join.wallGap = m.join.restGap; return join; }
   const std::array<SewnStretch, 2> sewn{sewnOn(m, strand, 0), sewnOn(m, strand, 1)};
-  for (int bowel = 0; bowel < 2; ++bowel) measureStretch(m, {s.tissue.position, s.tissue.gone}, bowel, sewn[bowel], join);
+  for (int bowel = 0; bowel < 2; ++bowel) measureStretch(m, s, bowel, sewn[bowel], join);
   const int columns = sewn[0].count + sewn[1].count;
   join.inversion /= columns;
   join.sewnShare = static_cast<double>(columns) / static_cast<double>(m.join.columns[0].size() + m.join.columns[1].size());

@@ -14,6 +14,6 @@ struct SewnStretch { int first = 0, count = 0; };
 int columnNear(const Model&, int bowel, const Vec3& rest);
 
 /// Widest gaps along it, and the turn of its edge added to `inversion`.
-void measureStretch(const Model&, const SurfaceNow& tissue, int bowel, const SewnStretch&, JoinMetrics&);   // [m]
+void measureStretch(const Model&, const State&, int bowel, const SewnStretch&, JoinMetrics&);
 
 }  // namespace halsted

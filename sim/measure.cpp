@@ -4,8 +4,10 @@
 
 #include "sim/contact/geometry.h"
 #include "sim/cutting/cut_measure.h"
+#include "sim/cutting/edge.h"
 #include "sim/needling/needling_scene.h"
 #include "sim/suture/fresh_thread.h"
+#include "sim/suture/hole_sides.h"
 #include "sim/suture/holes.h"
 
 namespace halsted {
@@ -48,6 +50,18 @@ const Hole& entryOf(const StrandState& s, const Hole& exit) {
   return exit;
 }
 
+/// Bites that came out of the wall on the side on which they went into it, in what the thread in use still has in the tissue.
+int partialBites(const Model& m, const StrandState& s) {
+  int count = 0;
+  for (int i = 0; i < s.holeCount; ++i) {
+    const Hole& h = s.holes[i];
+    if (h.role != static_cast<std::int32_t>(HoleRole::kPassed) && h.role != static_cast<std::int32_t>(HoleRole::kExit)) continue;
+    const Hole& entry = entryOf(s, h);
+    count += &entry != &h && onMucosa(m, entry) == onMucosa(m, h);
+  }
+  return count;
+}
+
 /// The needle's way went at least as deep as the deeper of the two holes: one from the inside out begins in the lumen.
 void closeBite(const Model& m, const std::array<const Hole*, 2>& ends, int bite, SeamMetrics& seam) {
   for (const Hole* h : ends) seam.deepestTip = std::fmax(seam.deepestTip, wallShare(m, placeOf(*h)));
@@ -62,7 +76,7 @@ void completeBite(const Model& m, const Hole& exit, State& s, StepOutput& out) {
   const Hole& entered = entryOf(s.strand, exit);
   const Vec3 at = holePoint(m, exit, m.mesh.vertices), entry = holePoint(m, entered, m.mesh.vertices);
   const int i = metrics.biteCount++, bowel = bowelOf(m, entered);
-  const std::vector<int>& rim = m.bowels.rim[bowel];
+  const std::span<const int> rim = edgeOf(m, s, bowel);
   if (i < kMaxBites) {
     BiteMetrics& b = metrics.bites[i];
     b.entryAngle = entered.entryCosine;
@@ -153,7 +167,7 @@ void measureSuture(const Model& m, State& s, StepOutput& out) {
   if (s.metrics.seam && s.step % kJoinInterval == 0) s.metrics.seam->join = measureJoin(m, s);
   measureStretch(m, s);
   MetricsState& metrics = s.metrics;
-  metrics.openingArea = enclosedArea(m.bowels.rim[0], s.tissue.position);
+  metrics.openingArea = enclosedArea(edgeOf(m, s, 0), s.tissue.position);
   metrics.restOpeningArea = m.restOpening;
   for (double t : s.strand.tension) metrics.peakTension = std::fmax(metrics.peakTension, t);
   const auto tails = tailTensions(m, s.strand);
@@ -176,6 +190,8 @@ void measureSuture(const Model& m, State& s, StepOutput& out) {
     set(Quantity::kFullThickness, metrics.seam->fullThickness - before.fullThicknessBefore);
   }
   if (metrics.cut) observe(*metrics.cut, out.seen);
+  set(Quantity::kPartialThickness, partialBites(m, s.strand));
+  if (s.instruments) set(Quantity::kSecondInstruments, s.instruments->second[kLeft] + s.instruments->second[kRight]);
   set(Quantity::kTissueHeld, (s.tools[0].graspCount > 0) + (s.tools[1].graspCount > 0));
   set(Quantity::kStitches, finishedStitches(m, s));
   set(Quantity::kThreadsLeft, before.left);

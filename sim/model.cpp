@@ -38,9 +38,9 @@ void buildSuture(const SimParams& params, TetMesh mesh, Model& m) {
   if (!(params.anvil.radius >= 0.0)) throw std::invalid_argument("anvil.radius must not be negative");
   m.tissue = buildTissue(mesh, params);
   m.surface = buildSurface(mesh);
-  m.cut = planCut(mesh, m.surface);
-  m.strand = buildStrand(params);
   m.bowels = findBowels(mesh);
+  m.cut = planCut(mesh, m.surface, m.bowels);
+  m.strand = buildStrand(params);
   m.join = buildJoin(mesh, m.bowels, m.surface);
   m.mesh = std::move(mesh);
   if (m.cut.present()) showCutFaces(m);

@@ -54,7 +54,7 @@ void raisePressure(const Model& m, const LeakTest& test, State& s, Outcome& out)
 
 Outcome testOutcome(const Model& m, State s, const LeakTest& test) {
   Outcome out;
-  if (!s.metrics.seam) return out;
+  if (!s.metrics.seam || s.cut) return out;    // of a prolapse the mucosa still lies outside: no pressure stands on it as it would in a lumen
   const JoinMetrics join = measureWholeSeam(m, s);
   if (join.crossings == 0) return out;
   out.tested = true;

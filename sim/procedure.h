@@ -34,6 +34,7 @@ enum class Quantity : std::uint8_t {
   kWallShare,              // wall_share               [1] depth of the last bite in the wall: 0 serosa, 1 mucosa
   kThreadCuts,             // thread_cuts              [1] made with blades
   kFullThickness,          // full_thickness           [1] bites that went through the mucosa
+  kPartialThickness,       // partial_thickness        [1] bites of the thread in the tissue that came out on the side on which they went in
   kThrows,                 // throws                   [1] tied in the thread
   kKnotLocks,              // knot_locks               [1] throws that lie square on the one before (=)
   kWrongThrows,            // wrong_throws             [1] throws wound the same way as the one before (x): granny
@@ -67,6 +68,7 @@ enum class Quantity : std::uint8_t {
   kSpecimenFree,           // specimen_free            [1] pieces that hang on nothing, and those carried away
   kSpecimenTaken,          // specimen_taken           [1] pieces carried away
   kTissueHeld,             // tissue_held              [1] hands that hold tissue
+  kSecondInstruments,      // second_instruments       [1] hands that hold the second instrument laid out for them
   kCount
 };
 inline constexpr int kQuantities = static_cast<int>(Quantity::kCount);

@@ -8,6 +8,7 @@
 #include "sim/state.h"
 #include "sim/suture/fresh_thread.h"
 #include "sim/suture/holes.h"
+#include "sim/tools/load_driver.h"
 
 namespace halsted {
 namespace {
@@ -82,7 +83,7 @@ JoinMetrics measureWholeSeam(const Model& m, const State& s) {
   join.rimGap = join.wallGap = join.inversion = 0.0;
   join.crossings = static_cast<std::int32_t>(crossingsInOrder(m, s).size());
   const std::array<SewnStretch, 2> sewn{sewnByAll(m, s, 0), sewnByAll(m, s, 1)};
-  for (int bowel = 0; bowel < 2; ++bowel) measureStretch(m, {s.tissue.position, s.tissue.gone}, bowel, sewn[bowel], join);
+  for (int bowel = 0; bowel < 2; ++bowel) measureStretch(m, s, bowel, sewn[bowel], join);
   const int columns = sewn[0].count + sewn[1].count;
   join.inversion /= std::max(1, columns);
   join.sewnShare = static_cast<double>(columns) / static_cast<double>(m.join.columns[0].size() + m.join.columns[1].size());
@@ -98,7 +99,7 @@ std::vector<std::pair<std::string, double>> summariseStitches(const Model& m, co
   for (int k = 0; k < s.stitches->count; ++k) pull = std::max(pull, s.stitches->stitch[k].tension);
   return {{"stitches", finishedStitches(m, s)},
           {"stitches_torn", s.stitches->torn},
-          {"threads_used", 1.0 + s.supply->handed},
+          {"threads_used", (beginsWithNeedle(m) ? 1.0 : 0.0) + s.supply->handed},
           {"stitch_spacing_mean_m", apart.empty() ? 0.0 : sum / static_cast<double>(apart.size())},
           {"stitch_spacing_min_m", apart.empty() ? 0.0 : apart.front()},
           {"stitch_spacing_max_m", apart.empty() ? 0.0 : apart.back()},

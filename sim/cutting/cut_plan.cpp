@@ -59,12 +59,13 @@ void listBins(const TetMesh& mesh, const SurfaceModel& s, CutPlan& plan) {
 
 }  // namespace
 
-CutPlan planCut(const TetMesh& mesh, const SurfaceModel& surface) {
+CutPlan planCut(const TetMesh& mesh, const SurfaceModel& surface, const Bowels& bowels) {
   CutPlan plan;
   if (mesh.cuttable.empty()) return plan;
   checkLists(mesh);
   for (const auto& tet : mesh.tets) plan.tetTie.push_back(tiesOf(surface, tet));
   if (!mesh.cutLine.empty()) listBins(mesh, surface, plan);
+  plan.edge = rowsBehindRims(mesh, bowels);
   return plan;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/contact/surface.h"
+#include "sim/cutting/edge.h"
 #include "sim/mesh.h"
 
 namespace halsted {
@@ -16,10 +17,11 @@ struct CutPlan {
   std::array<int, kCutWalls + 1> wallStart{};  // index into binStart
   std::vector<int> binStart, binTet;
   std::vector<CutSide> side;                   // per entry of binTet
+  EdgeRows edge;
   bool present() const { return !tetTie.empty(); }
 };
 
 /// Throws std::invalid_argument when the mesh's lists do not fit its tets.
-CutPlan planCut(const TetMesh&, const SurfaceModel&);
+CutPlan planCut(const TetMesh&, const SurfaceModel&, const Bowels&);
 
 }  // namespace halsted

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "sim/cutting/edge.h"
 #include "sim/model.h"
 #include "sim/state.h"
 #include "sim/step.h"
@@ -116,6 +117,7 @@ void findPieces(const Model& m, State& s) {
   markBare(m, s);
   markTies(m, s);
   weighParticles(m, s);
+  findEdges(m, s);
 }
 
 void settlePieces(const Model& m, State& s, StepOutput& out) {

@@ -167,8 +167,8 @@ void run(const Model& m, State& s, AssistKnot& k, StepOutput& out) {
   if (k.felt[1] > -kFirm) k.tip = std::max(k.tip - step, tipLimit(s));
   // It lies on the tissue where the loop is as short as the way straight across, or where it is tight: over a ridge it is longer.
   const bool tight = k.felt[0] < -kFirm && k.felt[1] < -kFirm;
-  if (slack > kSeatSlack && !tight) k.seated = 0.0;
-  else if (drawing) k.seated += dt;
+  // Hands that give way take the tension off it: what it was while it was drawn counts, or over a ridge it would never lock.
+  if (drawing) k.seated = slack > kSeatSlack && !tight ? 0.0 : k.seated + dt;
 }
 
 /// A locked knot holds up to its force, then thread goes through it.

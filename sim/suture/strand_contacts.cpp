@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/contact/geometry.h"
+#include "sim/suture/edge_exit.h"
 #include "sim/suture/hole_sides.h"
 #include "sim/suture/holes.h"
 #include "sim/tools/tool_shape.h"
@@ -19,6 +20,7 @@ constexpr double kStickSlide = 2e-7;           // [m] per step: below it frictio
 constexpr double kTipFriction = 2.0;           // [1] a sharp tip catches: the dimple under it turns to face it (design)
 constexpr double kSkinDepth = 3e-3;            // [m] a sample pressed in no deeper goes back out on the side that it came from
 constexpr int kRepairInterval = 32;            // steps between exhaustive searches of one sample
+constexpr int kPiecesInterval = 6;             // the same where walls that a cut has parted lie so near to each other that no walk leads over in time
 
 struct Sample {
   int index = 0;
@@ -94,15 +96,15 @@ Friction frictionOf(const Model& m, const Sample& x, const Touch& touch, double 
 
 /// Thread weighs next to nothing: the push that takes it out of a solid would by its inertia carry it on, and drawn thread left and came back
 /// every other step (0.9 m/s over the rod). What pushed in the last step is solved for once more; the solve tells whether it still pushes.
-/// Not yet where thread is knotted: the scripts of those scenes are tuned without.
-bool staysForAStep(const Model& m, const Touch& touch) { return !m.params.thread.knots && touch.record.normalForce > 0.0; }
+/// Not yet where thread is knotted and nothing can be cut: the scripts of those scenes are tuned without.
+bool staysForAStep(const Model& m, const State& s, const Touch& touch) { return (!m.params.thread.knots || s.cut) && touch.record.normalForce > 0.0; }
 
 /// Adds the link if the contact would push; keeps its record in `fresh`.
 void offerTouch(const Model& m, const Sample& x, Touch& touch, State& state, int& fresh) {
   StrandWork& w = state.work.strand;
   const double gap = touch.normal.dot(x.predicted - touch.point) - x.radius;     // [m]
   const double push = touch.record.normalForce - touch.stiffness * gap;          // [N] at the predicted position
-  if ((push <= 0.0 && !staysForAStep(m, touch)) || fresh >= StrandState::kMaxContacts) return;
+  if ((push <= 0.0 && !staysForAStep(m, state, touch)) || fresh >= StrandState::kMaxContacts) return;
   const Mat3 nn = touch.normal * touch.normal.transpose();
   const Friction grip = frictionOf(m, x, touch, push);
   StrandLink link;
@@ -151,11 +153,14 @@ void touchTissue(const Model& m, const Sample& x, State& state, int& fresh) {
   if (insideWall(m, state, x.coordinate, kLedSegments * segmentAt(m.strand, x.coordinate))) return;   // the samples next to a hole are led by it
   SurfacePoint near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
   const bool pressedIn = near.triangle >= 0 && near.distance < 0.0 && near.distance > -kSkinDepth;
-  if (!pressedIn && static_cast<int>(state.step % kRepairInterval) == x.index % kRepairInterval) {
+  const int interval = state.cut ? kPiecesInterval : kRepairInterval;
+  if (!pressedIn && static_cast<int>(state.step % interval) == x.index % interval) {
     s.nearVertex[x.index] = nearestVertex(m.surface, tissue, x.predicted);
     near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
   }
   if (near.triangle < 0 || near.distance < -kSkinDepth) return;
+  if (state.cut && x.index < m.strand.nodes)   // what a cut leaves of a wall ends in an edge hardly wider than the thread's nodes lie apart
+    near = exitAcross(m.surface, tissue, {x.predicted, strandTangent(m.strand, s, x.coordinate), near, s.nearVertex[x.index]}, kSkinDepth);
   Touch t;
   t.point = near.point;
   t.normal = acrossThread(m, s, x, near.normal);

@@ -13,6 +13,9 @@ namespace {
 
 constexpr double kRoom = 1.25;                 // [1] stitches turn after they were tied: what they share is an estimate from then
 
+constexpr double kSwing = 2.0;                 // [1] of the way that a stretch's own pull makes in a step
+constexpr double kLeastWay = 1e-6;             // [m] between two holes
+
 using Directions = std::array<Vec3, TiedStitch::kMostHoles>;   // [1]
 
 /// Where a loop under a newton of tension pulls each hole: toward the hole before and the hole after it. Returns the loop's length.  [m]
@@ -59,6 +62,55 @@ void addForces(const Model& m, const TiedStitch& s, double sign, std::vector<Vec
     for (int c = 0; c < 4; ++c) nodal[m.tissue.tets[s.hole[i].tet][c]] += sign * s.hole[i].weight[c] * s.force[i];
 }
 
+int nextHole(const TiedStitch& s, int i) { return i + 1 < s.holeCount ? i + 1 : 0; }
+
+/// How far a newton in one stretch of the loop shortens another, or itself.  [m/N]
+double giveBetween(const TiedStitch& s, int a, int b) {
+  const auto give = [&](int i, int j) { return s.give[i * TiedStitch::kMostHoles + j]; };
+  const int afterA = nextHole(s, a), afterB = nextHole(s, b);
+  return give(afterA, afterB) - give(afterA, b) - give(a, afterB) + give(a, b);
+}
+
+/// Has it a stretch so short that its pull swings it round within a step?
+bool crowded(const Model& m, const TiedStitch& s, std::span<const Vec3> x) {   // x [m]
+  for (int i = 0; i < s.holeCount; ++i) {
+    const double size = (pointOf(m, s.hole[nextHole(s, i)], x) - pointOf(m, s.hole[i], x)).norm();   // [m]
+    if (size < kSwing * s.tension * giveBetween(s, i, i)) return true;
+  }
+  return false;
+}
+
+/// Pull of every stretch at the end of the step, where its two holes will be then: two walls that lie on each other leave their holes next to
+/// each other, and a pull along the way between them as it was would throw them past each other to and fro. Each stretch counts as a spring
+/// whose rest length is nothing and which bears the tension at its present length; the system is symmetric and positive.
+void pullImplicitly(const Model& m, TiedStitch& s, std::span<const Vec3> x) {   // x [m]
+  constexpr int kMost = TiedStitch::kMostHoles;
+  const int n = s.holeCount;
+  Directions free, pull;                       // [m] holes without this loop; [N] of each stretch
+  for (int i = 0; i < n; ++i) {
+    free[i] = pointOf(m, s.hole[i], x);
+    for (int j = 0; j < n; ++j) free[i] -= s.give[i * kMost + j] * s.force[j];
+  }
+  double a[kMost][kMost];                      // [m/N] lower triangle, then its factor
+  for (int i = 0; i < n; ++i) {
+    pull[i] = free[nextHole(s, i)] - free[i];
+    for (int j = 0; j <= i; ++j) a[i][j] = giveBetween(s, i, j);
+    a[i][i] += std::fmax(kLeastWay, (pointOf(m, s.hole[nextHole(s, i)], x) - pointOf(m, s.hole[i], x)).norm()) / s.tension;
+  }
+  for (int j = 0; j < n; ++j)                  // L D L^T in place
+    for (int i = j + 1; i < n; ++i) {
+      const double share = a[i][j] / a[j][j];  // [1]
+      for (int k = i; k < n; ++k) a[k][i] -= share * a[k][j];
+      pull[i] -= share * pull[j];
+    }
+  for (int i = n - 1; i >= 0; --i) {
+    for (int k = i + 1; k < n; ++k) pull[i] -= a[k][i] * pull[k];
+    pull[i] /= a[i][i];
+  }
+  for (int i = 0; i < n; ++i) s.force[i] = pull[i];
+  for (int i = 0; i < n; ++i) s.force[nextHole(s, i)] -= pull[i];
+}
+
 /// Implicit on the tissue's one-step compliance, as if every other stitch changed as much: it can only undershoot.
 void solveLoop(const Model& m, TiedStitch& s, std::span<const Vec3> x) {   // x [m]
   Directions pull;
@@ -66,6 +118,7 @@ void solveLoop(const Model& m, TiedStitch& s, std::span<const Vec3> x) {   // x 
   const double stiffness = m.params.thread.axialStiffness / s.length;          // [N/m]
   const double give = ownGive(s, pull) + s.shared;                             // [m/N]
   s.tension = std::fmax(0.0, s.tension + (stiffness * stretched - s.tension) / (1.0 + stiffness * give));
+  if (s.tension > 0.0 && crowded(m, s, x)) return pullImplicitly(m, s, x);
   for (int i = 0; i < s.holeCount; ++i) s.force[i] = s.tension * pull[i];
 }
 

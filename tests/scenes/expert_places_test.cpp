@@ -34,6 +34,15 @@ TEST(StitchPlaces, DoOnceWhatComesBeforeTheInstrumentsAreChangedForSewing) {
   EXPECT_DOUBLE_EQ(script.actions[6].angleDegrees, 110.0);
 }
 
+/// The walls of a prolapse, one in the other, are seen from the same side.
+TEST(StitchPlaces, AreNotMirroredAfterAnExcision) {
+  const std::string before = "[[action]]\ndo = \"cut_ring\"\n[[action]]\ndo = \"change_tools\"\n";
+  const auto script = scenes::parseExpert("scene = \"altemeier\"\nstitch_at_deg = [30]\n" + before + kStitch, "test");
+  ASSERT_EQ(script.actions.size(), 5u);
+  EXPECT_DOUBLE_EQ(script.actions[2].angleDegrees, 120.0);
+  EXPECT_DOUBLE_EQ(script.actions[3].angleDegrees, 120.0);
+}
+
 TEST(StitchPlaces, AreAnglesAndNotTooMany) {
   const auto parse = [](const std::string& places) { scenes::parseExpert("scene = \"lembert\"\nstitch_at_deg = " + places + "\n" + kStitch, "test"); };
   testing::expectRefused([&] { parse("[]"); }, {"test:2", "stitch_at_deg", "1 to 60"});

@@ -48,6 +48,7 @@ struct TwoInstruments : StepRig {
 TEST(ChangeOfInstruments, GivesTheOtherOneAndTakesItBack) {
   TwoInstruments rig;
   EXPECT_EQ(rig.change(), InstrumentRefusal::kNone);
+  EXPECT_EQ(rig.out.seen[static_cast<int>(Quantity::kSecondInstruments)], 1.0);
   EXPECT_TRUE(rig.happened(EventKind::kInstrumentChanged));
   EXPECT_EQ(toolOf(rig.model, rig.state, kRight).kind, ToolKind::kNeedleDriver);
   const CapsuleShape jaw = worldSolids(rig.model, rig.state)[kSolidsPerTool * kRight];

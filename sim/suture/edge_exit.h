@@ -1,0 +1,18 @@
+#pragma once
+/// Thread that lies over the thin edge of a wall: the way out across the thread. Physics thread; no heap.
+#include "sim/contact/surface.h"
+
+namespace halsted {
+
+/// A point of the thread within the tissue, and the surface nearest to it.
+struct PressedIn {
+  Vec3 point = Vec3::Zero(), along = Vec3::UnitX();   // [m]; [1] the thread's tangent
+  SurfacePoint nearest;
+  int vertex = 0;                              // round which to look
+};
+
+/// Where its nearest surface faces along the thread: the nearest bare triangle through which it leaves the tissue square to the thread, no
+/// farther than `most` [m]; else the nearest surface itself. Pushed along itself thread would cut down into the wall like wire into cheese.
+SurfacePoint exitAcross(const SurfaceModel&, const SurfaceNow&, const PressedIn&, double most);
+
+}  // namespace halsted
