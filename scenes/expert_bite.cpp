@@ -239,7 +239,7 @@ void handOver(const Scene& s) {
 /// Over two cut edges thread catches: there the hand gives it time where it feels it.  [1] of the speed
 double feltPace(const Scene& s) {
   double& felt = s.memory.felt[kLeft];         // [N]
-  felt += s.dt / kFeelTime * (s.state.tools[kLeft].needleForce.norm() - felt);
+  feel(felt, s.state.tools[kLeft].needleForce.norm(), s.dt, kFeelTime);
   return s.action.across ? kGently * std::fmax(0.0, 1.0 - felt / kMostPull) : 1.0;
 }
 

@@ -113,7 +113,7 @@ bool drawApart(const Scene& s) {
   const Frame f = frameOf(s);
   double fastest = 0.0;                        // [1] of the drawing speed
   for (int h = 0; h < kHands; ++h) {
-    e.felt[h] += s.dt / kFeelTime * (s.state.tools[h].threadForce.norm() - e.felt[h]);
+    feel(e.felt[h], s.state.tools[h].threadForce.norm(), s.dt, kFeelTime);
     const double pace = std::clamp((s.action.tension - e.felt[h]) / kFeel, -1.0, 1.0);   // [1]
     e.drawn[h] = std::clamp(e.drawn[h] + pace * kDraw * s.dt, 0.0, kReach);
     fastest = std::fmax(fastest, e.drawn[h] < kReach ? pace : 0.0);

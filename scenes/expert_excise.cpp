@@ -144,7 +144,7 @@ bool runHoldFold(const Scene& s, std::string& failure) {
     // Away from the middle of the line: its whole circumference is then stretched alike, and the cut gapes as it is made.
     e.pullAlong = (e.goal[kLeft].position - centreOf(ringOn(s.model, 0, 0.0), s.state)).normalized();
   }
-  e.felt[kLeft] += s.dt / kFelt * (s.state.tools[kLeft].force.norm() - e.felt[kLeft]);
+  feel(e.felt[kLeft], s.state.tools[kLeft].force.norm(), s.dt, kFelt);
   if (s.state.tools[kLeft].graspCount == 0) failure = "the fold has slipped out of the clamp";
   if (e.felt[kLeft] >= s.action.tension || e.pulled >= kMost) return true;
   e.pulled += kPull * s.dt;

@@ -115,7 +115,7 @@ bool runTraction(const Scene& s, std::string& failure) {
   }
   bool pulled = true;
   for (int h = 0; h < kHands; ++h) {
-    e.felt[h] += s.dt / kFeelTime * (s.state.tools[h].threadForce.norm() - e.felt[h]);
+    feel(e.felt[h], s.state.tools[h].threadForce.norm(), s.dt, kFeelTime);
     const double pace = std::fmax(-1.0, std::fmin(1.0, (s.action.tension - e.felt[h]) / kFeel));   // [1]
     e.drawn[h] = std::fmin(kTractionReach, std::fmax(-kMostGiven, e.drawn[h] + pace * kTractionSpeed * s.dt));
     pulled = pulled && e.felt[h] > 0.7 * s.action.tension;

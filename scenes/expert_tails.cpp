@@ -133,7 +133,7 @@ bool runDraw(const Scene& s, std::string& failure) {
   } else {
     const double through = s.model.strand.length - s.state.strand.holes[s.state.strand.holeCount - 1].coordinate;   // [m]
     if (through >= s.action.pull) return true;
-    e.felt[kRight] += s.dt / kFeelTime * (s.state.tools[kRight].threadForce.norm() - e.felt[kRight]);
+    feel(e.felt[kRight], s.state.tools[kRight].threadForce.norm(), s.dt, kFeelTime);
     const double pace = s.state.cut ? std::fmax(0.0, 1.0 - e.felt[kRight] / kMostPull) : 1.0;   // [1] over cut edges thread catches
     e.drawn[kRight] += pace * kDrawSpeed * s.dt;
     moveHand(s, kRight, {e.goal[kRight].position + e.drawn[kRight] * kDrawWay, e.goal[kRight].orientation}, 0.1);
@@ -157,7 +157,7 @@ bool runTighten(const Scene& s, std::string&) {
   bool exhausted = false;                      // an arm is stretched out and its tail still slack: both need a shorter grip
   double fastest = 0.0;                        // [1] of the tightening speed
   for (int h = 0; h < kHands; ++h) {
-    e.felt[h] += s.dt / kFeelTime * (s.state.tools[h].threadForce.norm() - e.felt[h]);
+    feel(e.felt[h], s.state.tools[h].threadForce.norm(), s.dt, kFeelTime);
     const double slack = (s.action.tension - e.felt[h]) / kFeel;                                 // [1]
     const double pace = closed || e.drawn[h] >= kTightenReach ? std::fmin(0.0, slack) : std::fmin(1.0, slack);
     e.drawn[h] = std::fmax(-kMostGiven, e.drawn[h] + std::fmax(-1.0, pace) * kTightenSpeed * s.dt);

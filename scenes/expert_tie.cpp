@@ -138,7 +138,7 @@ void fetchTail(const Scene& s, std::string& failure) {
 void drawOffTips(const Scene& s) {
   KnotPlan& k = s.memory.knot;
   const double pull = s.state.tools[kLeft].threadForce.norm();   // [N]
-  k.felt[kLeft] += s.dt / kFeelTime * (pull - k.felt[kLeft]);
+  feel(k.felt[kLeft], pull, s.dt, kFeelTime);
   k.settled = k.felt[kLeft] > kOff ? k.settled + s.dt : 0.0;
   if (pull < kFirm) {
     k.drawn[kLeft] += kCareful * s.dt;
@@ -180,7 +180,7 @@ bool drawTight(const Scene& s) {
   KnotPlan& k = e.knot;
   bool tight = true;
   for (int h = 0; h < kHands; ++h) {
-    k.felt[h] += s.dt / kFeelTime * (s.state.tools[h].threadForce.norm() - k.felt[h]);
+    feel(k.felt[h], s.state.tools[h].threadForce.norm(), s.dt, kFeelTime);
     const double lack = (s.action.tension - k.felt[h]) / kFeel;   // [1]
     const double pace = std::fmax(-1.0, std::fmin(h == kRight ? kHoldTail : 1.0, lack));   // [1]
     k.drawn[h] = std::fmin(kReach, std::fmax(0.0, k.drawn[h] + pace * kDraw * s.dt));

@@ -17,4 +17,7 @@ bool travel(HandMotion&, const Pose& goal, double speed, double turn, double dt)
 /// Integrates the difference between command and the tool seen; returns the target for the hand.
 HandTarget look(HandMotion&, const Pose& seen, double dt);   // dt [s]
 
+/// A force as a hand feels it: its mean over about `time`. What catches and slips would pull the hand to and fro.  [N] [s]
+inline void feel(double& felt, double force, double dt, double time) { felt += dt / time * (force - felt); }
+
 }  // namespace halsted::scenes

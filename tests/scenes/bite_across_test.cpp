@@ -15,16 +15,9 @@
 namespace halsted::scenes {
 namespace {
 
-SimParams sewnProlapse() {
-  SimParams p;
-  p.anatomy = prolapsed();
-  p.tools[kRight].kind = ToolKind::kElectrocautery;
-  return p;
-}
-
 class BitesAcross : public ::testing::Test {
  protected:
-  const Model model = buildModel(sewnProlapse(), prolapse(prolapsed()), {});
+  const Model model = buildModel(penAndProlapse(), prolapse(prolapsed()), {});
   State state = initialState(model, startPoses(model));
   const AnatomyParams& anatomy = model.params.anatomy;
   ExpertAction bite;

@@ -14,13 +14,6 @@
 namespace halsted::scenes {
 namespace {
 
-SimParams penAndProlapse() {
-  SimParams p;
-  p.anatomy = prolapsed();
-  p.tools[kRight].kind = ToolKind::kElectrocautery;
-  return p;
-}
-
 class CutRings : public ::testing::Test {
  protected:
   const Model model = buildModel(penAndProlapse(), prolapse(prolapsed()), {});

@@ -16,4 +16,12 @@ inline AnatomyParams prolapsed() {
   return a;
 }
 
+/// With a pen in the right hand.
+inline SimParams penAndProlapse() {
+  SimParams p;
+  p.anatomy = prolapsed();
+  p.tools[kRight].kind = ToolKind::kElectrocautery;
+  return p;
+}
+
 }  // namespace halsted
