@@ -35,6 +35,7 @@ void buildSuture(const SimParams& params, TetMesh mesh, Model& m) {
   for (const ToolParams& t : params.second)
     if (t.kind != ToolKind::kNone) checkTool(t);
   checkCautery(params.cautery);
+  checkCut(mesh);
   if (!(params.anvil.radius >= 0.0)) throw std::invalid_argument("anvil.radius must not be negative");
   m.tissue = buildTissue(mesh, params);
   m.surface = buildSurface(mesh);

@@ -7,14 +7,6 @@
 namespace halsted {
 namespace {
 
-void checkLists(const TetMesh& mesh) {
-  if (mesh.cuttable.size() != mesh.tets.size()) throw std::invalid_argument("anatomy: cuttable must say of every tet whether it can be cut");
-  if (!mesh.cutLine.empty() && mesh.cutLine.size() != mesh.tets.size()) throw std::invalid_argument("anatomy: cutLine must be empty or name every tet");
-  for (const CutMark& mark : mesh.cutLine)
-    if (mark.wall >= kCutWalls || mark.bin < 0 || !(mark.fromLine > -1.0 && mark.fromLine < 1.0))
-      throw std::invalid_argument("anatomy: cutLine has a mark that makes no sense");
-}
-
 /// Entry of the list of `from`'s neighbours that is `to`, -1 where the surface has no such edge.
 int tieBetween(const SurfaceModel& s, int from, int to) {
   for (int e = s.neighbourStart[from]; e < s.neighbourStart[from + 1]; ++e)
@@ -59,10 +51,18 @@ void listBins(const TetMesh& mesh, const SurfaceModel& s, CutPlan& plan) {
 
 }  // namespace
 
+void checkCut(const TetMesh& mesh) {
+  if (mesh.cuttable.empty()) return;
+  if (mesh.cuttable.size() != mesh.tets.size()) throw std::invalid_argument("anatomy: cuttable must say of every tet whether it can be cut");
+  if (!mesh.cutLine.empty() && mesh.cutLine.size() != mesh.tets.size()) throw std::invalid_argument("anatomy: cutLine must be empty or name every tet");
+  for (const CutMark& mark : mesh.cutLine)
+    if (mark.wall >= kCutWalls || mark.bin < 0 || !(mark.fromLine > -1.0 && mark.fromLine < 1.0))
+      throw std::invalid_argument("anatomy: cutLine has a mark that makes no sense");
+}
+
 CutPlan planCut(const TetMesh& mesh, const SurfaceModel& surface, const Bowels& bowels) {
   CutPlan plan;
   if (mesh.cuttable.empty()) return plan;
-  checkLists(mesh);
   for (const auto& tet : mesh.tets) plan.tetTie.push_back(tiesOf(surface, tet));
   if (!mesh.cutLine.empty()) listBins(mesh, surface, plan);
   plan.edge = rowsBehindRims(mesh, bowels);

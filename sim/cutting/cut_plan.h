@@ -21,7 +21,9 @@ struct CutPlan {
   bool present() const { return !tetTie.empty(); }
 };
 
-/// Throws std::invalid_argument when the mesh's lists do not fit its tets.
+/// Throws std::invalid_argument when the mesh's lists do not fit its tets. To be asked before the surface is built, which reads them.
+void checkCut(const TetMesh&);
+
 CutPlan planCut(const TetMesh&, const SurfaceModel&, const Bowels&);
 
 }  // namespace halsted

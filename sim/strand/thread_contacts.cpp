@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kMostPoints = 4 * ThreadContactState::kMaxContacts;   // in a step
 constexpr double kLeave = 0.05;                // [m/s] at which what lies deeper in a tool than its force explains comes out of it
+constexpr double kMostPinch = 0.5;             // [N] on a sample between two tools: what holds them gives way before the thread does (design)
 constexpr double kBond = 0.7;                  // [1] stiffness of the friction bond over that of the squeeze (Mindlin, nu = 0.4)
 
 Vec3 relativePoint(const std::vector<Vec3>& x, const TouchingPoint& c) {
@@ -68,6 +69,23 @@ void keepPair(const StrandModel& m, const StrandState& s, const NearPair& near, 
   keepPoint(c, touch);
 }
 
+/// A sample that stays where it is, while a solid comes nearer by `moved`, is pushed by it with no more than a pinch.
+void limitReach(const Vec3& moved, TouchingPoint& c) {           // [m]
+  c.reach = std::min(c.reach, c.normal.dot(c.start - moved) + kMostPinch / c.stiffness);
+}
+
+/// Thread between the tools of two hands cannot get away: as stiff as it is, and as solids here go where they are sent, it would push them with
+/// a hundred newtons. The hands that hold them give way to far less.
+void easePinch(TouchingPoint& c, const Vec3& moved, ThreadContactWork& w) {   // [m]
+  const int other = w.touchOfSample[c.record.sample], owner = w.solids[-1 - c.record.partner].owner;
+  if (other < 0 || owner < 0) return;
+  TouchingPoint& o = w.points[other];
+  const ThreadSolid& body = w.solids[-1 - o.record.partner];
+  if (body.owner < 0 || body.owner == owner) return;
+  limitReach(moved, c);
+  limitReach(o.anchor - body.fromA - o.record.place * (body.fromB - body.fromA), o);
+}
+
 void keepSolid(const StrandModel& m, const StrandState& s, std::array<int, 2> where, ThreadTouch& touch, double dt) {
   const auto [sample, solid] = where;
   const int piece = sample / kMostSamples, samples = touch.work.samples[piece];
@@ -92,11 +110,15 @@ void keepSolid(const StrandModel& m, const StrandState& s, std::array<int, 2> wh
   const ThreadContact* old = recordFor(touch.state, touch.work, c.record);
   const double explained = (old ? old->normalForce : 0.0) / c.stiffness;   // [m]
   c.reach = std::min(c.reach, distance + explained + kLeave * dt + std::max(0.0, -relative.dot(c.normal)));
+  easePinch(c, c.anchor - before, touch.work);
+  const std::size_t count = touch.work.points.size();
   keepPoint(c, touch);
+  if (touch.work.points.size() > count) touch.work.touchOfSample[sample] = static_cast<std::int32_t>(count);
 }
 
 void findSolids(const StrandModel& m, const StrandState& s, double dt, ThreadTouch& touch) {
   const int solids = static_cast<int>(touch.work.solids.size());
+  if (solids > 0) std::fill(touch.work.touchOfSample.begin(), touch.work.touchOfSample.end(), -1);
   for (int solid = 0; solid < solids; ++solid) {
     const ThreadSolid& body = touch.work.solids[solid];
     const double swept = std::max((body.a - body.fromA).norm(), (body.b - body.fromB).norm());   // [m]
@@ -181,6 +203,7 @@ ThreadContactWork prepareContactWork(const StrandModel& m, const ThreadContactPa
     w.samples.push_back(std::clamp(static_cast<int>(w.pieceLength[p] / m.radius) + 1, kFewestSamples, kMostSamples));
   }
   w.recordOfSample.assign(pieces * kMostSamples, -1);
+  w.touchOfSample.assign(pieces * kMostSamples, -1);
   w.nextRecord.assign(ThreadContactState::kMaxContacts, -1);
   w.tension.assign(m.nodes - 1, 0.0);
   w.allowance.assign(pieces, 0.0);

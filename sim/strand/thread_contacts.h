@@ -32,6 +32,7 @@ struct ThreadSolid {
   Vec3 fromA = Vec3::Zero(), fromB = Vec3::Zero();   // [m] at the start of the step
   double radius = 0.0, friction = 0.2;         // [m], [1]
   double freeFrom = 0.0, freeTo = -1.0;        // [m] coordinates of the thread that pass through it: what jaws hold between them
+  int owner = -1;                              // who moves it; two that close on the thread from either side give way to it. -1: stands for ever
 };
 
 /// Kept from step to step.
@@ -78,6 +79,7 @@ struct ThreadContactWork {
   std::vector<double> chunkRadius, pieceRadius, pieceLength;   // [m]; at rest
   std::vector<std::int32_t> samples;           // of each piece: no farther apart than the thread is thick
   std::vector<std::int32_t> recordOfSample, nextRecord;
+  std::vector<std::int32_t> touchOfSample;     // the last point of each sample on a solid, in this step
   std::vector<double> tension;                 // [N] at the start of the step
   std::vector<double> allowance;               // [m] per piece: how far it may stray in this step (strand_trust.h)
   std::vector<NearPair> near;                  // what the search found

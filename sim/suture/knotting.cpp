@@ -64,6 +64,7 @@ class Substeps {
     solid.radius = to.radius;
     solid.friction = model_.params.contact.threadToolFriction;
     const int hand = solidHand(k);
+    solid.owner = hand;
     const double held = hand >= 0 ? state_.tools[hand].threadCoordinate : -1.0;   // [m]
     if (hand >= 0 && k % kSolidsPerTool < 2 && state_.tools[hand].holdsNeedle) {   // closed on it: thread between the jaws is not crushed
       solid.freeFrom = 0.0;

@@ -12,7 +12,8 @@ namespace {
 constexpr int kRefreshInterval = 4;            // steps
 constexpr double kNearReach = 8e-3;            // [m] beyond the shaft's radius: an edge of the mesh and four steps of fast motion
 constexpr double kMargin = 0.3e-3;             // [m] contacts are made before they touch
-constexpr double kMerge = 0.4e-3;              // [m] contact points closer than this are one
+constexpr double kMerge = 0.7e-3;              // [m] contact points closer than this are one
+constexpr double kFastest = 1e-3;              // [m] no tool and no tissue moves farther in a step
 constexpr double kBehind = 1.0e-3;             // [m] half a wall: deeper, the other side is nearer
 constexpr double kTriangleReach = 6e-3;        // [m] longest edge to expect when rejecting triangles
 constexpr double kMostBack = 2e-3;             // [m] how far a tool that loses its contacts is looked after
@@ -88,8 +89,18 @@ using Continued = std::array<bool, ToolState::kMaxContacts>;
 /// give: what is found deep inside (jaws that opened there, a face that came nearer than another) must not be flung out in a step.
 constexpr double kRecover = 0.1e-3;            // [m] a step
 
+/// A contact is found where the step begins, where tool and tissue do not overlap; their motion in the step carries its gap on. Found where
+/// inertia alone takes the tissue, inside the tool when the tissue quivers, its normal would jump from step to step and keep up the quiver.
+void moveOn(const Model& m, const Pose& before, const State& s, TouchPoint& p) {
+  const Vec3 moved = pointOn(m.surface, s.tissue.position, p.triangle, p.weight) - pointOn(m.surface, s.work.tissue.previous, p.triangle, p.weight);
+  const Vec3 now = s.tools[p.hand].proxy.apply(before.inverseApply(p.toolPoint));
+  p.slide = moved - (now - p.toolPoint);
+  p.gap += p.slide.dot(p.normal);
+  p.toolPoint = now;
+}
+
 /// Carries the force of the last step over when the same triangle was touched; friction needs how far the tissue slid.
-void carryOver(const Model& m, const Pose& before, const State& s, Continued& continued, TouchPoint& p) {
+void carryOver(const State& s, Continued& continued, TouchPoint& p) {
   const ToolState& t = s.tools[p.hand];
   for (int i = 0; i < t.contactCount; ++i) {
     if (continued[i] || t.contactTriangle[i] != p.triangle) continue;
@@ -98,11 +109,8 @@ void carryOver(const Model& m, const Pose& before, const State& s, Continued& co
     p.force = p.old.dot(p.normal) > 0.0 ? p.old : Vec3::Zero();
     break;
   }
-  const Vec3 moved = pointOn(m.surface, s.tissue.position, p.triangle, p.weight) - pointOn(m.surface, s.work.tissue.previous, p.triangle, p.weight);
-  const Vec3 local = t.proxy.inverseApply(p.toolPoint);
-  const Vec3 slide = moved - (p.toolPoint - before.apply(local));
-  const double apart = slide.dot(p.normal);    // [m]
-  p.slide = slide - apart * p.normal;
+  const double apart = p.slide.dot(p.normal);  // [m]
+  p.slide -= apart * p.normal;
   p.gap = std::fmax(p.gap, std::fmin(apart, 0.0) - kRecover);
 }
 
@@ -185,18 +193,19 @@ void findContacts(const Model& m, int hand, const Pose& before, State& s) {
   const double back = std::fmin(kMostBack, t.force.norm() / m.params.tools[hand].couplingStiffness);   // [m]
   const auto capsules = toolCapsules(toolOf(m, s, hand), t.jaw);
   for (int c = 0; c < kSolidsPerTool; ++c) {
-    const CapsuleShape capsule = placed(capsules[c], t.proxy);
+    const CapsuleShape capsule = placed(capsules[c], before);
     for (int i = 0; i < t.nearCount; ++i) {
       if (isHeld(m, t, t.nearTriangle[i])) continue;
-      Found f = touchOf(m, capsule, t.nearTriangle[i], s.tissue.position, kMargin + back);
+      Found f = touchOf(m, capsule, t.nearTriangle[i], s.work.tissue.previous, kMargin + back + kFastest);
       if (!f.ok || (f.sunk && !cameIn(m, t, f.point))) continue;
       f.point.hand = hand;
+      moveOn(m, before, s, f.point);
       if (f.point.gap > kMargin + drawnBack(m, t, f.point)) continue;
-      if (!merged(m, f.point, s.tissue.position, first, w)) insert(f.point, first, w);
+      if (!merged(m, f.point, s.work.tissue.previous, first, w)) insert(f.point, first, w);
     }
   }
   Continued continued{};
-  for (int i = first; i < w.count; ++i) carryOver(m, before, s, continued, w.point[i]);
+  for (int i = first; i < w.count; ++i) carryOver(s, continued, w.point[i]);
   addGone(hand, continued, s);
 }
 

@@ -126,6 +126,46 @@ TEST(ThreadContact, TheSameRunTwiceGivesTheSameBits) {
   for (int i = 0; i < a.rig.model.nodes; ++i) EXPECT_EQ(a.rig.state.position[i], b.rig.state.position[i]);
 }
 
+/// Two posts, 1 mm in radius, close on a thread from either side at 0.1 m/s and meet in it, 1 mm deep: the force with which it parts them [N], at most,
+/// and the most that lay on one sample [N].
+struct Pinch { double post = 0.0, sample = 0.0; };
+Pinch pinched(int left, int right) {           // who moves each
+  std::vector<Vec3> straight;
+  for (int i = 0; i < 60; ++i) straight.push_back(Vec3(0.0, 0.3e-3 * (i - 30), 0.0));
+  SimParams p = knotThread();
+  KnotRig rig(p, straight);
+  rig.hold(0, 1e3);
+  rig.hold(55, 1e3);
+  for (int owner : {left, right}) {
+    ThreadSolid post;
+    post.owner = owner;
+    post.radius = 1e-3;
+    rig.solids.push_back(post);
+  }
+  Pinch most;
+  for (int k = 0; k <= 40; ++k) {
+    const double speed = 0.1, apart = 1.3e-3 - k * speed * rig.dt;   // [m/s] [m] from the thread to either post's axis
+    for (int i = 0; i < 2; ++i) {
+      const Vec3 at((i ? 1.0 : -1.0) * apart, 0.0, 0.0), before = at * ((apart + speed * rig.dt) / apart), up(0.0, 0.0, 10e-3);
+      rig.solids[i].a = at - up, rig.solids[i].b = at + up, rig.solids[i].fromA = before - up, rig.solids[i].fromB = before + up;
+    }
+    if (!rig.step()) return {};
+    for (int i = 0; i < 2; ++i) most.post = std::max(most.post, forceOnSolid(rig.contactWork, i).norm());
+    for (const TouchingPoint& c : rig.contactWork.points) most.sample = std::max(most.sample, c.normalForce);
+  }
+  return most;
+}
+
+/// The hands that hold two tools give way before the thread between them does; two posts that stand for ever do not.
+TEST(ThreadContact, BetweenTheToolsOfTwoHandsItPressesThemLittle) {
+  const Pinch hands = pinched(0, 1), posts = pinched(-1, -1);
+  std::printf("two hands: %.2f N, %.2f N a sample; two posts: %.1f N, %.1f N a sample\n", hands.post, hands.sample, posts.post, posts.sample);
+  EXPECT_GT(hands.post, 0.5);
+  EXPECT_LT(hands.sample, 0.55);
+  EXPECT_LT(hands.post, 20.0);
+  EXPECT_GT(posts.post, 60.0) << "what it was";
+}
+
 /// USP knot-pull minimum of a 3-0 absorbable synthetic thread.
 TEST(ThreadStrength, BreaksAtItsKnotPullStrengthAndNotBelow) {
   std::vector<Vec3> straight;
