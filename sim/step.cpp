@@ -69,7 +69,7 @@ bool solveThread(const Model& m, const KnottingMotion& motion, State& s, StepOut
 }
 
 /// Thread does not push a tool harder than what breaks it. As light as a spring, a tool was thrown to and fro between taut threads, each push
-/// harder than the last (817 N).
+/// harder than the last (278 N).
 void limitPush(const Model& m, ToolState& t) {
   const double most = m.params.thread.breakingTension, size = t.strandForce.norm();   // [N]
   if (size > most) t.strandForce *= most / size;
