@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "scenes/expert_state.h"
+#include "scenes/stitch_frame.h"
 #include "sim/strand/strand.h"
-#include "sim/suture/hole_sides.h"
 #include "sim/suture/holes.h"
 
 namespace halsted::scenes {
@@ -26,45 +26,6 @@ constexpr double kPatience = 2.0;              // [s] tight and still apart: thi
 constexpr double kSeated = 0.5;                // [s] that the knot has been drawn on the tissue: more would only cut in
 
 enum Phase { kLook, kPassBy, kCross, kDrawApart, kGiveWay };
-
-/// Square to the wall, out of it on its mucosa's side.  [1]
-Vec3 outOfMucosa(const Model& m, const Hole& h) {
-  const auto& v = m.tissue.tets[h.tet];
-  const std::span<const Vec3> x = m.mesh.vertices;
-  Mat3 edges;
-  Vec3 depth;                                  // [1]
-  for (int c = 0; c < 3; ++c) {
-    edges.row(c) = x[v[c + 1]] - x[v[0]];
-    depth[c] = m.bowels.wallDepth[v[c + 1]] - m.bowels.wallDepth[v[0]];
-  }
-  return Vec3(edges.inverse() * depth).normalized();             // up the gradient from the serosa to the mucosa
-}
-
-/// Away from both walls: out of the tissue at a hole, and out of that end's opening.  [1]
-Vec3 clearOf(const Scene& s, const Hole& h) {
-  const Opening& o = s.model.bowels.opening[bowelOf(s.model, h)];
-  if (onMucosa(s.model, h)) return outOfMucosa(s.model, h) + o.axis;
-  const Vec3 from = holePoint(s.model, h, s.model.mesh.vertices) - o.centre;   // [m]
-  return (from - from.dot(o.axis) * o.axis).normalized() + o.axis;
-}
-
-/// How the hands stand to the stitch: `side` leads from the tail's hole to the long end's, `up` away from the walls.
-struct Frame { Vec3 middle, side, up, front; };   // [m], [1]
-
-Frame frameOf(const Scene& s) {
-  const StrandState& strand = s.state.strand;
-  const auto& x = s.state.tissue.position;
-  const Hole &first = strand.holes[0], &last = strand.holes[strand.holeCount - 1];
-  const Vec3 tail = holePoint(s.model, first, x), tip = holePoint(s.model, last, x);
-  Frame f;
-  f.middle = 0.5 * (tail + tip);
-  f.up = (clearOf(s, first) + clearOf(s, last)).normalized();
-  f.side = tip - tail;
-  f.side -= f.side.dot(f.up) * f.up;
-  f.side = f.side.norm() > 1e-4 ? Vec3(f.side.normalized()) : Vec3(Vec3::UnitX());
-  f.front = f.side.cross(f.up);
-  return f;
-}
 
 /// +1 for the hand that holds the tail: it goes to the long end's side. -1 for the other. 0: holds neither.
 double wayOf(const Scene& s, int hand) {       // [1]
@@ -89,7 +50,7 @@ bool crossedAlready(const Scene& s) {
 void begin(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   if (s.state.strand.holeCount < 2) { failure = "there is no stitch in the tissue"; return; }
-  const Frame f = frameOf(s);
+  const StitchFrame f = stitchFrame(s);
   for (int h = 0; h < kHands; ++h) {
     const double way = wayOf(s, h), length = kSlack * lengthHeld(s, h);   // [1], [m]
     if (way == 0.0 || way == wayOf(s, 1 - h)) { failure = "the hands do not hold the two tails"; return; }
@@ -110,7 +71,7 @@ void begin(const Scene& s, std::string& failure) {
 /// more comes.
 bool drawApart(const Scene& s) {
   ExpertState& e = s.memory;
-  const Frame f = frameOf(s);
+  const StitchFrame f = stitchFrame(s);
   double fastest = 0.0;                        // [1] of the drawing speed
   for (int h = 0; h < kHands; ++h) {
     feel(e.felt[h], s.state.tools[h].threadForce.norm(), s.dt, kFeelTime);
@@ -141,7 +102,7 @@ bool runCrossed(const Scene& s, std::string& failure) {
   if (e.phase == kDrawApart) {
     if (!drawApart(s)) return false;
     if (s.action.kind != "tie") return true;
-    const Frame f = frameOf(s);
+    const StitchFrame f = stitchFrame(s);
     for (int h = 0; h < kHands; ++h) e.goal[h] = {s.memory.hand[h].command.position + kGive * (f.middle - s.memory.hand[h].command.position).normalized(), e.goal[h].orientation};
     nextPhase(s);
     return false;

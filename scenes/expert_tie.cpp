@@ -5,6 +5,7 @@
 /// next throw is wound from there, the other way round for a square knot, so that the hands change sides with every throw.
 #include <cmath>
 
+#include "scenes/stitch_frame.h"
 #include "scenes/tie_places.h"
 #include "sim/strand/strand.h"
 #include "sim/suture/holes.h"
@@ -47,8 +48,10 @@ bool begin(const Scene& s, std::string& failure) {
   if (strand(s).holeCount < 2) { failure = "there is no stitch in the tissue"; return false; }
   k = KnotPlan{};
   k.throws = parseThrows(s.action.tie);
-  k.side = strandSide(s);
-  k.handle = k.side.cross(Vec3::UnitZ());
+  const StitchFrame f = stitchFrame(s);
+  k.side = f.side;
+  k.up = f.up;
+  k.handle = f.front;
   const bool free = s.state.tools[kRight].closed;
   for (int h = 0; h < kHands; ++h) s.memory.goal[h] = above(s.memory.hand[h].command, 0.02);
   goTo(s, free ? kFreeDriver : kFreeLong);
@@ -142,7 +145,7 @@ void drawOffTips(const Scene& s) {
   k.settled = k.felt[kLeft] > kOff ? k.settled + s.dt : 0.0;
   if (pull < kFirm) {
     k.drawn[kLeft] += kCareful * s.dt;
-    const Vec3 from = stitch(s) + kOver * Vec3::UnitZ() - kBeyond * k.handle;
+    const Vec3 from = stitch(s) + kOver * k.up - kBeyond * k.handle;
     moveHand(s, kLeft, keepTurn(s, kLeft, from - k.drawn[kLeft] * k.handle), 2.0 * kCareful);
   }
   const bool off = k.felt[kLeft] > kOff && (!loopOnJaws(s) || k.settled > kClings);
@@ -158,14 +161,14 @@ void drawThrough(const Scene& s) {
     const Vec3 from = holePoint(s.model, tailHole(s), s.state.tissue.position);
     const ToolState& driver = s.state.tools[kRight];
     const double reach = kTailShare * (tailHole(s).coordinate - driver.threadCoordinate - kPerThrow * k.current);   // [m]
-    const Vec3 back = from + reach * (k.handle + Vec3::UnitZ()).normalized();
+    const Vec3 back = from + reach * (k.handle + k.up).normalized();
     const bool taut = driver.threadForce.norm() > kTaut || s.state.tools[kLeft].threadForce.norm() > kFirm;
     const bool drawn = taut || moveHand(s, kRight, keepTurn(s, kRight, back), kCareful);
-    if (!drawn) { moveHand(s, kLeft, keepTurn(s, kLeft, p + kOver * Vec3::UnitZ() - kBeyond * k.handle), kCareful); return; }
+    if (!drawn) { moveHand(s, kLeft, keepTurn(s, kLeft, p + kOver * k.up - kBeyond * k.handle), kCareful); return; }
     drawOffTips(s);
   } else {
-    const bool right = moveHand(s, kRight, keepTurn(s, kRight, p + kAside * k.side + kLow * Vec3::UnitZ()), kCareful);
-    const bool left = moveHand(s, kLeft, keepTurn(s, kLeft, p - 2.0 * kAside * k.side + kLow * Vec3::UnitZ()), kMove);
+    const bool right = moveHand(s, kRight, keepTurn(s, kRight, p + kAside * k.side + kLow * k.up), kCareful);
+    const bool left = moveHand(s, kLeft, keepTurn(s, kLeft, p - 2.0 * kAside * k.side + kLow * k.up), kMove);
     if (!right || !left) return;
     for (int h = 0; h < kHands; ++h) e.goal[h] = e.hand[h].command;
     e.knot.drawn = e.knot.felt = {};

@@ -18,8 +18,9 @@ std::vector<PlannedThrow> parseThrows(const std::string& notation);
 struct KnotPlan {
   std::vector<PlannedThrow> throws;
   std::size_t current = 0;
-  Vec3 handle = -Vec3::UnitY();                // [1] level, along the wound, toward the hand that holds the driver
-  Vec3 side = Vec3::UnitX();                   // [1] level, from the stitch toward the strand of the long end below this throw
+  Vec3 up = Vec3::UnitZ();                     // [1] away from the walls
+  Vec3 handle = -Vec3::UnitY();                // [1] along the wound, toward the hand that holds the driver
+  Vec3 side = Vec3::UnitX();                   // [1] across the wound, from the stitch toward the strand of the long end below this throw
   double swept = 0.0;                          // [rad] of this throw's winding
   double given = 0.0;                          // [m] by which the winding hand has given way
   int misses = 0;                              // of the tail

@@ -11,8 +11,9 @@
 namespace halsted::scenes {
 namespace {
 
-constexpr double kRise = 0.35, kLeftRise = 0.7;   // [1] of the driver's and the other hand's shaft over the level way to their handles
-constexpr double kUpJaws = 9e-3;               // [m] above the tips: where the thread goes round; what the jaws grip lies lower
+constexpr double kRise = 0.35;                 // [1] of the driver's shaft over the level way to its handle
+constexpr double kWindRise = -kRise, kLeftRise = 0.7;   // [1] of the other hand's: along the driver's while it winds, or its shaft would pass through the jaws
+constexpr double kUpJaws = 12e-3;              // [m] above the tips: where the thread goes round; what the jaws grip lies lower
 constexpr double kSlant = 0.05;                // [1] of the thread toward the tips: turns lie side by side; more, and the first slides off
 constexpr double kSlack = 6e-3;                // [m] kept in the long end so that the jaws can open inside the loop
 constexpr double kLoop = 2.3e-3;               // [m] radius of a turn about the jaws
@@ -21,18 +22,19 @@ constexpr double kPerTurn = 20e-3;             // [m] of the long end that a sec
 constexpr double kSpare = 2e-3;                // [m] of the long end left when it has gone round
 constexpr double kJaws = 30e-3;                // [m] of the driver that may have thread wound about it
 constexpr double kFromEnd = 5e-3;              // [m] of tail beyond the jaws
+constexpr double kLongTail = 40e-3, kBeyondGrip = 0.4;   // [m] of tail; of one that is longer [1]
 
 const StrandState& strand(const Scene& s) { return s.state.strand; }
 
 /// The other hand's shaft, from the tips to the handle, and the way from the stitch up to the driver.  [1]
-Vec3 leftShaft(const Scene& s) { return (kLeftRise * Vec3::UnitZ() - s.memory.knot.handle).normalized(); }
-Vec3 upward(const Scene& s) { return (Vec3::UnitZ() - kRise * s.memory.knot.handle).normalized(); }
+Vec3 leftShaft(const Scene& s, double rise) { return (rise * s.memory.knot.up - s.memory.knot.handle).normalized(); }   // [1]
+Vec3 upward(const Scene& s) { return (s.memory.knot.up - kRise * s.memory.knot.handle).normalized(); }
 
 /// Tool with its shaft this way, its jaws opening across `along`, whichever way round is nearer.
 Pose laid(const Scene& s, int hand, const Vec3& position, std::array<Vec3, 2> shaftAndAlong) {   // [m], [1]
   const auto& [z, along] = shaftAndAlong;
   Vec3 y = along - along.dot(z) * z;
-  y = y.norm() > 0.1 ? Vec3(y.normalized()) : Vec3(z.cross(Vec3::UnitZ()).normalized());
+  y = y.norm() > 0.1 ? Vec3(y.normalized()) : Vec3(z.cross(s.memory.knot.up).normalized());
   if (y.dot(s.memory.hand[hand].command.orientation * Vec3::UnitY()) < 0.0) y = -y;
   Mat3 axes;
   axes << y.cross(z), y, z;
@@ -57,22 +59,17 @@ Vec3 stitch(const Scene& s) {
   return 0.5 * (holePoint(s.model, tailHole(s), x) + holePoint(s.model, longHole(s), x));
 }
 
-/// Level direction from the tail's hole to the long end's.  [1]
-Vec3 strandSide(const Scene& s) {
-  const auto& x = s.state.tissue.position;
-  Vec3 d = holePoint(s.model, longHole(s), x) - holePoint(s.model, tailHole(s), x);
-  d.z() = 0.0;
-  return d.norm() > 1e-4 ? Vec3(d.normalized()) : Vec3(Vec3::UnitX());
-}
-
-Vec3 driverShaft(const Scene& s) { return (s.memory.knot.handle + kRise * Vec3::UnitZ()).normalized(); }
+Vec3 driverShaft(const Scene& s) { return (s.memory.knot.handle + kRise * s.memory.knot.up).normalized(); }
 
 Vec3 driverPlace(const Scene& s) { return stitch(s) + heightOf(s) * upward(s) - kUpJaws * driverShaft(s); }
 Pose driverPose(const Scene& s, double back) {   // [m] along its shaft
   return laid(s, kRight, driverPlace(s) + back * driverShaft(s), {driverShaft(s), s.memory.knot.side});
 }
 
-double tailPlace(const Scene& s) { return std::fmin(kFromEnd, 0.5 * tailHole(s).coordinate); }   // [m]
+double tailPlace(const Scene& s) {             // [m] nearer to the stitch on a long tail; what lies beyond must still come through the loop with it
+  const double tail = tailHole(s).coordinate;  // [m]
+  return tail > kLongTail ? kBeyondGrip * tail : std::fmin(kFromEnd, 0.5 * tail);
+}
 /// Between the stitch and the hand that winds.  [m]
 double longEnd(const Scene& s) {
   int most = 1;
@@ -104,7 +101,7 @@ Pose windingPose(const Scene& s, const Vec3& driver, double swept) {   // [m], [
     free = rest > 0.0 ? std::sqrt(rest) - b : kNearest;
   }
   const double distance = std::fmin(kFarthest, std::fmax(kNearest, free));   // [m]
-  return laid(s, kLeft, loop + distance * (out - kSlant * driverShaft(s)), {leftShaft(s), k.side});
+  return laid(s, kLeft, loop + distance * (out - kSlant * driverShaft(s)), {leftShaft(s, swept < wholeTurns(s) ? kWindRise : kLeftRise), k.side});
 }
 
 double wholeTurns(const Scene& s) { return 2.0 * kPi * s.memory.knot.throws[s.memory.knot.current].turns; }   // [rad]

@@ -13,8 +13,6 @@ const Hole& longHole(const Scene&);
 
 /// Middle between the two places where the ends leave the tissue.
 Vec3 stitch(const Scene&);                     // [m]
-/// Level direction from the tail's hole to the long end's.
-Vec3 strandSide(const Scene&);                 // [1]
 /// The driver's shaft, from the tips to the handle.
 Vec3 driverShaft(const Scene&);                // [1]
 

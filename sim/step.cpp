@@ -68,13 +68,6 @@ bool solveThread(const Model& m, const KnottingMotion& motion, State& s, StepOut
   return solveStrand(m.strand, m.params.dt, m.params.gravity, s.strand, s.work.strand);
 }
 
-/// Thread does not push a tool harder than what breaks it. As light as a spring, a tool was thrown to and fro between taut threads, each push
-/// harder than the last (278 N).
-void limitPush(const Model& m, ToolState& t) {
-  const double most = m.params.thread.breakingTension, size = t.strandForce.norm();   // [N]
-  if (size > most) t.strandForce *= most / size;
-}
-
 void stepStrand(const Model& m, KnottingMotion motion, State& s, StepOutput& out) {
   if (threadOnTable(m, s)) return;
   s.work.strand.linkCount = s.work.strand.turnCount = 0;
@@ -89,7 +82,6 @@ void stepStrand(const Model& m, KnottingMotion motion, State& s, StepOutput& out
   settleAssistKnot(m, s, out);
   settleContacts(m, firstContact, s, out);
   settleToolForces(s);
-  for (ToolState& t : s.tools) limitPush(m, t);
   for (int hand = 0; hand < kHands; ++hand) settleGrasp(m, hand, motion.grasps[hand], s, out);
 }
 

@@ -88,7 +88,6 @@ struct StepWork {
   ThreadContactWork threadContacts;            // empty unless `thread.knots`
   std::array<ThreadSolid, kHands * 3 + 1> threadSolids;   // what the thread may lie against, in a substep
   KnotReader knotReader;
-  std::array<Vec3, kHands> threadOnTool = zeroVectors<kHands>();   // [N] mean of the substeps
   HoleWork holes;
   std::array<StrandContact, StrandState::kMaxContacts> freshContacts;   // found in this step
   int freshCount = 0;

@@ -51,4 +51,20 @@ bool BandedMatrix::factorAndSolve(double* x) {
   return wide ? solveWide(entries_.data(), size_, x) : solveNarrow(entries_.data(), size_, x);
 }
 
+void BandedMatrix::solveAgain(Lanes4* x) const {
+  for (int j = 0; j < size_; ++j) {
+    const double* row = &entries_[static_cast<std::size_t>(j) * kStride];
+    const Lanes4 scaled = x[j] * row[0];
+    const int last = size_ - 1 - j < kHalf ? size_ - 1 - j : kHalf;
+    for (int i = 1; i <= last; ++i) x[j + i] -= row[i] * scaled;
+  }
+  for (int j = size_ - 1; j >= 0; --j) {
+    const double* row = &entries_[static_cast<std::size_t>(j) * kStride];
+    const int last = size_ - 1 - j < kHalf ? size_ - 1 - j : kHalf;
+    Lanes4 sum = x[j];
+    for (int k = 1; k <= last; ++k) sum -= row[k] * x[j + k];
+    x[j] = sum * row[0];
+  }
+}
+
 }  // namespace halsted

@@ -3,6 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "sim/lanes.h"
+
 namespace halsted {
 
 class BandedMatrix {
@@ -28,6 +30,9 @@ class BandedMatrix {
 
   /// LDL^T in place, then x := A^-1 x. False when a pivot is not positive (the matrix is then useless).
   bool factorAndSolve(double* x);
+
+  /// Once factored: four more right-hand sides at a time, one a lane.
+  void solveAgain(Lanes4* x) const;
 
  private:
   int size_ = 0;

@@ -22,6 +22,12 @@ double dot(const double* a, const double* b, int n) {
   return total;
 }
 
+Lanes4 dot(const double* a, const Lanes4* b, int n) {
+  Lanes4 sum{0.0, 0.0, 0.0, 0.0};
+  for (int k = 0; k < n; ++k) sum += a[k] * b[k];
+  return sum;
+}
+
 }  // namespace
 
 void CoupledSolve::resize(int threadNodes) {
@@ -42,6 +48,7 @@ void CoupledSolve::resize(int threadNodes) {
   envelope_.assign(kMaxEnvelope, 0.0);
   values_.assign(kMaxEnvelope, 0.0);
   coreX_.assign(3 * (kMaxCore + 6), 0.0);
+  coreAgain_.assign(3 * (kMaxCore + 6), Lanes4{0.0, 0.0, 0.0, 0.0});
   scaled_.assign(3 * (kMaxCore + 6), 0.0);
   inverse_.assign(3 * (kMaxCore + 6), 0.0);
 }
@@ -157,33 +164,46 @@ bool CoupledSolve::factorCore() {
   return true;
 }
 
-void CoupledSolve::solveCore(double* x) {
+template <typename T> void CoupledSolve::solveCore(T* x, std::vector<T>& core) {
   const int n = 3 * coreNodes();
-  for (int i = 0; i < n; ++i) coreX_[i] = x[3 * core_[i / 3] + i % 3];
+  for (int i = 0; i < n; ++i) core[i] = x[3 * core_[i / 3] + i % 3];
   for (int i = 0; i < n; ++i) {
     const int begin = 3 * first_[i / 3];
-    coreX_[i] -= dot(row(i / 3) + (i % 3) * width(i / 3), &coreX_[begin], i - begin);
+    core[i] -= dot(row(i / 3) + (i % 3) * width(i / 3), &core[begin], i - begin);
   }
-  for (int i = 0; i < n; ++i) coreX_[i] *= inverse_[i];
+  for (int i = 0; i < n; ++i) core[i] *= inverse_[i];
   for (int i = n - 1; i >= 0; --i) {
     const int begin = 3 * first_[i / 3];
     const double* l = row(i / 3) + (i % 3) * width(i / 3);
-    for (int j = begin; j < i; ++j) coreX_[j] -= l[j - begin] * coreX_[i];
+    for (int j = begin; j < i; ++j) core[j] -= l[j - begin] * core[i];
   }
-  for (int i = 0; i < n; ++i) x[3 * core_[i / 3] + i % 3] = coreX_[i];
+  for (int i = 0; i < n; ++i) x[3 * core_[i / 3] + i % 3] = core[i];
 }
 
-void CoupledSolve::substitute(const Stretch& s, double* x) const {
+template <typename T> void CoupledSolve::substitute(const Stretch& s, T* x) const {
   const int size = 3 * blocks_;
   for (int j = 3 * (s.last + 1) - 1; j >= 3 * s.first; --j) {
     const double* row = &band_[static_cast<std::size_t>(j) * kStride];
     const double* border = &border_[static_cast<std::size_t>(j) * kBorder];
     const int last = std::min(kHalf, size - 1 - j);
-    double sum = x[j];
+    T sum = x[j];
     for (int k = 1; k <= last; ++k) sum -= row[k] * x[j + k];
     if (s.first >= 2)
       for (int c = 0; c < kBorder; ++c) sum -= border[c] * x[3 * (s.first - 2) + c];
     x[j] = sum * row[0];
+  }
+}
+
+/// What `eliminate` and `reduceBorder` do to a right-hand side.
+void CoupledSolve::forward(const Stretch& s, Lanes4* x) const {
+  const int size = 3 * blocks_;
+  for (int j = 3 * s.first; j < 3 * (s.last + 1); ++j) {
+    const double* row = &band_[static_cast<std::size_t>(j) * kStride];
+    const double* border = &border_[static_cast<std::size_t>(j) * kBorder];
+    const Lanes4 scaled = x[j] * row[0];
+    for (int i = 1; i <= std::min(kHalf, size - 1 - j); ++i) x[j + i] -= row[i] * scaled;
+    if (s.first >= 2)
+      for (int c = 0; c < kBorder; ++c) x[3 * (s.first - 2) + c] -= border[c] * scaled;
   }
 }
 
@@ -194,9 +214,15 @@ bool CoupledSolve::solve(const BandedMatrix& band, double* x) {
   for (const Stretch& s : stretches_) reduceBorder(s, x);
   gatherCore();
   if (!factorCore()) return false;
-  solveCore(x);
+  solveCore(x, coreX_);
   for (const Stretch& s : stretches_) substitute(s, x);
   return true;
+}
+
+void CoupledSolve::solveAgain(Lanes4* x) {
+  for (const Stretch& s : stretches_) forward(s, x);
+  solveCore(x, coreAgain_);
+  for (const Stretch& s : stretches_) substitute(s, x);
 }
 
 }  // namespace halsted

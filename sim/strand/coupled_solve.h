@@ -6,6 +6,7 @@
 /// `resize`.
 #include <vector>
 
+#include "sim/lanes.h"
 #include "sim/strand/banded.h"
 #include "sim/types.h"
 
@@ -33,6 +34,9 @@ class CoupledSolve {
   /// x := (band + couplings)^-1 x. The band is read, not changed. False when a pivot is not positive.
   bool solve(const BandedMatrix& band, double* x);
 
+  /// Once solved: four more right-hand sides at a time, one a lane.
+  void solveAgain(Lanes4* x);
+
  private:
   static constexpr int kBorder = 6;            // scalars of the two core nodes before a free stretch
   struct Stretch { int first, last; };         // block rows, inclusive
@@ -49,8 +53,9 @@ class CoupledSolve {
   void addCore(int i, int j, double value);    // [N/m] scalar rows of the strand
   void gatherCore();
   bool factorCore();
-  void solveCore(double* x);
-  void substitute(const Stretch&, double* x) const;
+  template <typename T> void solveCore(T* x, std::vector<T>& core);   // [N] then [m]
+  template <typename T> void substitute(const Stretch&, T* x) const;
+  void forward(const Stretch&, Lanes4* x) const;
 
   int nodes_ = 0, blocks_ = 0;                 // blocks: the needle counts as two more
   std::vector<char> inCore_;                   // per block
@@ -63,6 +68,7 @@ class CoupledSolve {
   std::vector<double> border_;                 // [N/m] kBorder per scalar row: coupling with the core before the stretch
   std::vector<double> envelope_, values_;      // [N/m] factored; couplings as added
   std::vector<double> coreX_, scaled_, inverse_;   // [N] then [m]; one row times the pivots; [m/N]
+  std::vector<Lanes4> coreAgain_;              // [N] then [m]
 };
 
 }  // namespace halsted

@@ -40,8 +40,7 @@ Vec3 rotationBetween(const Quat& from, const Quat& to) {
 struct Spot {
   int node = -1;                               // first thread node; -1: on the needle
   double weight0 = 1.0, weight1 = 0.0;         // [1]
-  Vec3 arm = Vec3::Zero();                     // [m] world, from the centre of mass
-  Vec3 position = Vec3::Zero();                // [m] at the iterate
+  Vec3 arm = Vec3::Zero(), position = Vec3::Zero();   // [m] world, from the centre of mass; at the iterate
 };
 
 bool isCut(const ThreadTouch* touch, int segment) { return touch && touch->state.cut[segment]; }
@@ -104,7 +103,7 @@ class Assembly {
     }
     const int p = needleIndex();
     const double m = model_.needleMass;
-    const Vec3 startCentre = s.needle.apply(model_.needleCentre);
+    const Vec3 startCentre = s.needle.apply(model_.needleCentre);   // [m]
     addBlock(p, p, m * (stiff + drag) * Mat3::Identity());
     addForce(p, m * (gravity - stiff * (needle.centre - needle.inertialCentre) - drag * (needle.centre - startCentre)));
     addBlock(p + 3, p + 3, (stiff + drag) * needle.inertia);
@@ -197,10 +196,8 @@ class Assembly {
 
 NeedleIterate beginNeedle(const StrandModel& m, const StrandState& s, double dt) {
   NeedleIterate n;
-  n.inertialCentre = s.needle.apply(m.needleCentre) + dt * s.needleVelocity;
-  n.inertial.orientation = turned(s.needle.orientation, dt * s.needleSpin);
-  n.centre = n.inertialCentre;
-  n.pose.orientation = n.inertial.orientation;
+  n.centre = n.inertialCentre = s.needle.apply(m.needleCentre) + dt * s.needleVelocity;
+  n.pose.orientation = n.inertial.orientation = turned(s.needle.orientation, dt * s.needleSpin);
   const Mat3 r = n.pose.orientation.toRotationMatrix();
   n.inertia = r * m.needleInertia * r.transpose();
   return n;
@@ -249,8 +246,10 @@ void finish(const StrandModel& m, double dt, const NeedleIterate& n, StrandState
 }
 
 bool solveSystem(StrandWork& w, ThreadTouch* touch) {
-  if (touch && touch->work.coupledStep) return touch->work.coupled.solve(w.matrix, w.rhs.data());
-  return w.matrix.factorAndSolve(w.rhs.data());
+  const bool coupled = touch && touch->work.coupledStep;
+  if (!(coupled ? touch->work.coupled.solve(w.matrix, w.rhs.data()) : w.matrix.factorAndSolve(w.rhs.data()))) return false;
+  if (touch) solveBorder(touch->work.border, w.rhs, [&](Lanes4* x) { coupled ? touch->work.coupled.solveAgain(x) : w.matrix.solveAgain(x); });
+  return true;
 }
 
 enum class Outcome { kSingular, kUnsettled, kSettled };
@@ -259,6 +258,7 @@ Outcome iterate(Assembly& assembly, const Vec3& gravity, StrandState& s, NeedleI
   const StrandModel& m = assembly.model();
   const double tolerance = std::min(kLengthTolerance, 1e-3 * m.finest);   // [m]
   w.iterate = w.inertial;
+  if (touch) beginBorder(touch->work.border);
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     ++w.iterations;
     w.matrix.setZero();

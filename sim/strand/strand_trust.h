@@ -11,7 +11,7 @@ namespace halsted {
 /// Finds the contacts; lets the drag fade; remembers what a second attempt begins with.
 void beginTouch(const StrandModel&, const StrandState&, double dt, ThreadTouch&);   // [s]
 
-/// Whether the last Newton correction is still large beside the thread's width, where it touches. Contacts open and close between iterates.
+/// Whether the last Newton correction is still large beside the thread's width, where it touches, or a hand's. Contacts open and close between iterates.
 bool stillMoving(const StrandModel&, const std::vector<double>& correction, const ThreadContactWork&);   // [m]
 
 /// Whether the step must be solved again more slowly; then the drag is raised and the tensions are set back.

@@ -9,13 +9,15 @@ namespace halsted {
 namespace {
 
 constexpr std::size_t kMostPoints = 4 * ThreadContactState::kMaxContacts;   // in a step
-constexpr double kLeave = 0.05;                // [m/s] at which what lies deeper in a tool than its force explains comes out of it
-constexpr double kMostPinch = 0.5;             // [N] on a sample between two tools: what holds them gives way before the thread does (design)
+constexpr double kLeave = 0.05;                // [m/s] at which what lies deeper in a tool than its force explains comes out of it,
+constexpr double kPushOut = 0.3;               // [N] pushed no harder than this on a sample: what holds it there may not give way (design)
 constexpr double kBond = 0.7;                  // [1] stiffness of the friction bond over that of the squeeze (Mindlin, nu = 0.4)
 
-Vec3 relativePoint(const std::vector<Vec3>& x, const TouchingPoint& c) {
+/// Sample minus partner. A solid has gone where it is sent, and on with the hand that gives way.
+Vec3 relativePoint(const std::vector<Vec3>& x, const TouchingPoint& c, const ToolBorder& border) {
   const Vec3 own = curvePoint(x, c.sample);
-  return c.solid ? Vec3(own - c.anchor) : Vec3(own - curvePoint(x, c.partner));
+  if (!c.solid) return own - curvePoint(x, c.partner);
+  return c.owner < 0 ? Vec3(own - c.anchor) : Vec3(own - c.anchor - border.tool[c.owner].shift);
 }
 
 const ThreadContact* recordFor(const ThreadContactState& state, const ThreadContactWork& w, const ThreadContact& fresh) {
@@ -58,7 +60,7 @@ void keepPair(const StrandModel& m, const StrandState& s, const NearPair& near, 
   TouchingPoint c;
   c.sample = curveWeights(near.piece, (near.sample + 0.5) / touch.work.samples[near.piece]);
   c.partner = curveWeights(near.partner, near.place);
-  c.start = relativePoint(s.position, c);
+  c.start = curvePoint(s.position, c.sample) - curvePoint(s.position, c.partner);
   const double distance = c.start.norm();
   if (!(distance > 1e-9)) return;
   c.normal = c.start / distance;
@@ -69,29 +71,13 @@ void keepPair(const StrandModel& m, const StrandState& s, const NearPair& near, 
   keepPoint(c, touch);
 }
 
-/// A sample that stays where it is, while a solid comes nearer by `moved`, is pushed by it with no more than a pinch.
-void limitReach(const Vec3& moved, TouchingPoint& c) {           // [m]
-  c.reach = std::min(c.reach, c.normal.dot(c.start - moved) + kMostPinch / c.stiffness);
-}
-
-/// Thread between the tools of two hands cannot get away: as stiff as it is, and as solids here go where they are sent, it would push them with
-/// a hundred newtons. The hands that hold them give way to far less.
-void easePinch(TouchingPoint& c, const Vec3& moved, ThreadContactWork& w) {   // [m]
-  const int other = w.touchOfSample[c.record.sample], owner = w.solids[-1 - c.record.partner].owner;
-  if (other < 0 || owner < 0) return;
-  TouchingPoint& o = w.points[other];
-  const ThreadSolid& body = w.solids[-1 - o.record.partner];
-  if (body.owner < 0 || body.owner == owner) return;
-  limitReach(moved, c);
-  limitReach(o.anchor - body.fromA - o.record.place * (body.fromB - body.fromA), o);
-}
-
 void keepSolid(const StrandModel& m, const StrandState& s, std::array<int, 2> where, ThreadTouch& touch, double dt) {
   const auto [sample, solid] = where;
   const int piece = sample / kMostSamples, samples = touch.work.samples[piece];
   const ThreadSolid& body = touch.work.solids[solid];
   TouchingPoint c;
   c.solid = true;
+  c.owner = body.owner;
   c.sample = curveWeights(piece, (sample % kMostSamples + 0.5) / samples);
   const Vec3 own = curvePoint(s.position, c.sample);
   const double f = closestOnSegment(own, body.fromA, body.fromB);   // [1]
@@ -108,17 +94,13 @@ void keepSolid(const StrandModel& m, const StrandState& s, std::array<int, 2> wh
   c.record = {sample, -1 - solid, f, 0.0, Vec3::Zero()};
   // A tool may have been where the thread came free of the jaws: that depth is worked off, not sprung back.
   const ThreadContact* old = recordFor(touch.state, touch.work, c.record);
-  const double explained = (old ? old->normalForce : 0.0) / c.stiffness;   // [m]
-  c.reach = std::min(c.reach, distance + explained + kLeave * dt + std::max(0.0, -relative.dot(c.normal)));
-  easePinch(c, c.anchor - before, touch.work);
-  const std::size_t count = touch.work.points.size();
+  const double push = old ? old->normalForce : 0.0, leave = push < kPushOut ? kLeave * dt : 0.0;   // [N], [m]
+  c.reach = std::min(c.reach, distance + push / c.stiffness + leave + std::max(0.0, -relative.dot(c.normal)));
   keepPoint(c, touch);
-  if (touch.work.points.size() > count) touch.work.touchOfSample[sample] = static_cast<std::int32_t>(count);
 }
 
 void findSolids(const StrandModel& m, const StrandState& s, double dt, ThreadTouch& touch) {
   const int solids = static_cast<int>(touch.work.solids.size());
-  if (solids > 0) std::fill(touch.work.touchOfSample.begin(), touch.work.touchOfSample.end(), -1);
   for (int solid = 0; solid < solids; ++solid) {
     const ThreadSolid& body = touch.work.solids[solid];
     const double swept = std::max((body.a - body.fromA).norm(), (body.b - body.fromB).norm());   // [m]
@@ -137,8 +119,8 @@ void findSolids(const StrandModel& m, const StrandState& s, double dt, ThreadTou
 /// Force and stiffness of one contact at an iterate.
 struct Answer { Vec3 force; Mat3 stiffness; };   // [N], [N/m]
 
-bool answerOf(const std::vector<Vec3>& x, TouchingPoint& c, Answer& out) {
-  const Vec3 relative = relativePoint(x, c);
+bool answerOf(const std::vector<Vec3>& x, const ToolBorder& border, TouchingPoint& c, Answer& out) {
+  const Vec3 relative = relativePoint(x, c, border);
   const double squeeze = c.reach - c.normal.dot(relative);   // [m]
   c.normalForce = 0.0;
   c.friction.setZero();
@@ -203,7 +185,7 @@ ThreadContactWork prepareContactWork(const StrandModel& m, const ThreadContactPa
     w.samples.push_back(std::clamp(static_cast<int>(w.pieceLength[p] / m.radius) + 1, kFewestSamples, kMostSamples));
   }
   w.recordOfSample.assign(pieces * kMostSamples, -1);
-  w.touchOfSample.assign(pieces * kMostSamples, -1);
+  resizeBorder(3 * m.nodes + 6, w.border);
   w.nextRecord.assign(ThreadContactState::kMaxContacts, -1);
   w.tension.assign(m.nodes - 1, 0.0);
   w.allowance.assign(pieces, 0.0);
@@ -230,12 +212,14 @@ void findThreadContacts(const StrandModel& m, const StrandState& s, double dt, T
 }
 
 void assembleThreadContacts(const std::vector<Vec3>& iterate, BandedMatrix& matrix, std::vector<double>& rhs, ThreadContactWork& w) {
+  clearBorder(w.border);
   if (w.coupledStep) w.coupled.clearValues();
   if (w.coupledStep && w.tie.stiffness > 0.0) assembleTie(w.tie, iterate, matrix, rhs, w.coupled);
   Answer answer;
   for (TouchingPoint& c : w.points) {
-    if (!answerOf(iterate, c, answer)) continue;
+    if (!answerOf(iterate, w.border, c, answer)) continue;
     addOwn(c.sample, answer, 1.0, matrix, rhs);
+    if (c.owner >= 0) addToBorder(c.owner, c.sample, answer.force, answer.stiffness, w.border);
     if (c.solid) continue;
     addOwn(c.partner, answer, -1.0, matrix, rhs);
     addCross(c, answer.stiffness, w.coupled);
@@ -247,7 +231,7 @@ void settleThreadContacts(const StrandState& s, ThreadTouch& touch) {
   int kept = 0;
   Answer answer;
   for (TouchingPoint& c : touch.work.points) {
-    if (!answerOf(s.position, c, answer)) continue;
+    if (!answerOf(s.position, touch.work.border, c, answer)) continue;
     if (kept == ThreadContactState::kMaxContacts) { ++state.dropped; continue; }
     c.record.normalForce = c.normalForce;
     c.record.friction = c.friction;
@@ -255,6 +239,7 @@ void settleThreadContacts(const StrandState& s, ThreadTouch& touch) {
   }
   for (int i = kept; i < state.count; ++i) state.contacts[i] = ThreadContact{};
   state.count = kept;
+  settleBorder(touch.work.border);
 }
 
 Vec3 forceOnSolid(const ThreadContactWork& w, int solid) {

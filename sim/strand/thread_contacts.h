@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/strand/coupled_solve.h"
+#include "sim/strand/giving_tools.h"
 #include "sim/strand/strand_model.h"
 #include "sim/strand/strand_state.h"
 #include "sim/strand/thread_curve.h"
@@ -32,7 +33,7 @@ struct ThreadSolid {
   Vec3 fromA = Vec3::Zero(), fromB = Vec3::Zero();   // [m] at the start of the step
   double radius = 0.0, friction = 0.2;         // [m], [1]
   double freeFrom = 0.0, freeTo = -1.0;        // [m] coordinates of the thread that pass through it: what jaws hold between them
-  int owner = -1;                              // who moves it; two that close on the thread from either side give way to it. -1: stands for ever
+  int owner = -1;                              // the hand that moves it and gives way with it (giving_tools.h); -1: it stands
 };
 
 /// Kept from step to step.
@@ -57,6 +58,7 @@ struct ThreadContactState {
 struct TouchingPoint {
   CurveWeights sample, partner;
   bool solid = false;
+  int owner = -1;                              // of the solid
   Vec3 normal = Vec3::UnitX();                 // [1] toward the sample
   Vec3 anchor = Vec3::Zero(), start = Vec3::Zero();   // [m] solid's surface axis now; sample minus partner when the step began
   Vec3 carried = Vec3::Zero();                 // [N] friction at the start
@@ -74,12 +76,12 @@ struct ThreadContactWork {
   std::span<const ThreadSolid> solids;         // set by the caller before each step
   ThreadTie tie;                               // set by the caller before each step
   CoupledSolve coupled;
+  ToolBorder border;                           // its tools are set by the caller before each step
   std::vector<TouchingPoint> points;
   std::vector<Vec3> chunkCentre, pieceCentre;  // [m]
   std::vector<double> chunkRadius, pieceRadius, pieceLength;   // [m]; at rest
   std::vector<std::int32_t> samples;           // of each piece: no farther apart than the thread is thick
   std::vector<std::int32_t> recordOfSample, nextRecord;
-  std::vector<std::int32_t> touchOfSample;     // the last point of each sample on a solid, in this step
   std::vector<double> tension;                 // [N] at the start of the step
   std::vector<double> allowance;               // [m] per piece: how far it may stray in this step (strand_trust.h)
   std::vector<NearPair> near;                  // what the search found

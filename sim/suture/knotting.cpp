@@ -28,6 +28,17 @@ Quat between(const Quat& a, const Quat& b, double share) {   // [1]
   return q.normalized();
 }
 
+/// Of what presses on a tool, the thread's part: the rest is the needle's.  [N]
+Vec3 threadPush(const Model& m, const State& s, int hand) {
+  Vec3 push = s.tools[hand].strandForce;
+  const int triangles = static_cast<int>(m.surface.triangles.size());
+  for (int i = 0; i < s.strand.contactCount; ++i) {
+    const StrandContact& c = s.strand.contacts[i];
+    if (c.feature >= triangles && solidHand(c.feature - triangles) == hand) push += c.force;
+  }
+  return push;
+}
+
 class Substeps {
  public:
   Substeps(const Model& m, const KnottingMotion& motion, State& s) : model_(m), motion_(motion), state_(s) {
@@ -35,6 +46,9 @@ class Substeps {
       const ToolState& t = s.tools[hand];
       needle_[hand] = gripFrom(m, s, motion.grasps[hand].needle, t.needleForce);
       thread_[hand] = gripFrom(m, s, motion.grasps[hand].thread, t.threadForce);
+      const double spring = m.params.tools[hand].couplingStiffness;   // [N/m]
+      offset_[hand] = threadPush(m, s, hand) / spring;
+      s.work.threadContacts.border.tool[hand] = {spring, offset_[hand], Vec3::Zero()};
     }
     for (int turn = 0; turn < s.work.strand.turnCount; ++turn) turnTo_[turn] = s.work.strand.turns[turn].target;
   }
@@ -65,6 +79,7 @@ class Substeps {
     solid.friction = model_.params.contact.threadToolFriction;
     const int hand = solidHand(k);
     solid.owner = hand;
+    if (hand >= 0) moveSolid(state_.work.threadContacts.border.tool[hand].offset - offset_[hand], solid);
     const double held = hand >= 0 ? state_.tools[hand].threadCoordinate : -1.0;   // [m]
     if (hand >= 0 && k % kSolidsPerTool < 2 && state_.tools[hand].holdsNeedle) {   // closed on it: thread between the jaws is not crushed
       solid.freeFrom = 0.0;
@@ -76,9 +91,14 @@ class Substeps {
     return solid;
   }
 
+  static void moveSolid(const Vec3& by, ThreadSolid& solid) {   // [m]
+    for (Vec3* p : {&solid.a, &solid.b, &solid.fromA, &solid.fromB}) *p += by;
+  }
+
   const Model& model_;
   const KnottingMotion& motion_;
   State& state_;
+  std::array<Vec3, kHands> offset_;            // [m] by which thread had pushed the tools when the step began
   std::array<GripPath, kHands> needle_, thread_;
   std::array<Quat, kHands> turnTo_;
 };
@@ -101,15 +121,10 @@ bool solveKnottedStrand(const Model& m, const KnottingMotion& motion, State& s, 
   Substeps substeps(m, motion, s);
   ThreadTouch touch{s.threadContacts, s.work.threadContacts};
   touch.work.solids = s.work.threadSolids;
-  s.work.threadOnTool = zeroVectors<kHands>();
   int worst = -1;
   for (int k = 0; k < count; ++k) {
     substeps.place(static_cast<double>(k) / count, static_cast<double>(k + 1) / count);
     if (!solveStrand(m.strand, m.params.dt / count, m.params.gravity, s.strand, s.work.strand, &touch)) return false;
-    for (int solid = 0; solid < kSolids; ++solid) {
-      const int hand = solidHand(solid);
-      if (hand >= 0) s.work.threadOnTool[hand] += forceOnSolid(touch.work, solid) / count;
-    }
     if (k == 0) worst = overloadedSegment(s.strand, m.params.thread.breakingTension);
     if (!staysOverloaded(m, s, worst)) worst = -1;
   }
@@ -118,7 +133,10 @@ bool solveKnottedStrand(const Model& m, const KnottingMotion& motion, State& s, 
 }
 
 void settleToolForces(State& s) {
-  for (int hand = 0; hand < kHands; ++hand) s.tools[hand].strandForce += s.work.threadOnTool[hand];
+  for (int hand = 0; hand < kHands; ++hand) {
+    const GivingTool& t = s.work.threadContacts.border.tool[hand];
+    s.tools[hand].strandForce += t.spring * t.offset;
+  }
 }
 
 bool partedAt(const Model& m, const State& s, double coordinate) {

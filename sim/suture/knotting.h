@@ -20,7 +20,7 @@ struct KnottingMotion {
 /// Solves the strand's step; false if it could not be solved. Thread that is pulled too hard breaks.
 bool solveKnottedStrand(const Model&, const KnottingMotion&, State&, StepOutput&);
 
-/// After the contacts are settled: the pull of the thread on the tools it lies against, mean of the substeps.
+/// After the contacts are settled: the push of the thread on the tools it lies against, where the last substep has left them.
 void settleToolForces(State&);
 
 /// Whether the thread is parted at a coordinate: what slides or grips there has come to an end.

@@ -49,8 +49,7 @@ class WildHandsOnTwoEnds : public ::testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(Scene, WildHandsOnTwoEnds,
                          ::testing::Combine(::testing::Values("stay", "connell", "lembert"), ::testing::Values(0.1, 9.0), ::testing::Values(1, 3)));
 
-/// The hands move at 0.15 m/s in a box of 43 mm: its diagonal and the coupling allow 43 N. Thread's part is
-/// cut off at what breaks it (limitPush in sim/step.cpp), which leaves touch and grips to be judged.
+/// The hands move at 0.15 m/s in a box of 43 mm: its diagonal and the coupling allow 43 N.
 TEST_P(WildHandsOnTwoEnds, StayFiniteAndNothingIsFlung) {
   const auto [name, script, seed] = GetParam();
   const Scenario scenario = scenarioFromFile(testing::sourceFolder() + "/scenes/" + name + "/expert.toml", {"thread.assist=knot"});

@@ -69,6 +69,17 @@ TEST(InstrumentTie, TwoTurnsMakeADoubleThrow) {
   EXPECT_EQ(w.seen(Quantity::kFirstTurns), 2);
 }
 
+/// A double throw under two single ones that are wound to and fro.
+TEST(InstrumentTie, ASurgeonsKnotIsReadThrowByThrowAndHolds) {
+  Tied w("2=1=1", "3.0");
+  for (const std::string& reading : w.read) std::printf("%s, ", reading.c_str());
+  std::printf("at last %s\n", w.reading().c_str());
+  for (const char* throws : {"2", "2=1", "surgeon's"}) EXPECT_NE(std::find(w.read.begin(), w.read.end(), throws), w.read.end()) << throws;
+  EXPECT_EQ(w.seen(Quantity::kWrongThrows), 0);
+  EXPECT_TRUE(w.pull().held);
+  EXPECT_GT(w.stitchLeftAlone(), 0.05);        // [N]
+}
+
 /// Both hands open before the throw is drawn tight: nothing is left that bears anything.
 TEST(InstrumentTie, LettingGoBeforeTighteningUndoesIt) {
   const Tied w("1", "0.05", "[[action]]\ndo = \"let_go\"\n[[action]]\ndo = \"hold\"\nlimit_s = 1\n");

@@ -43,6 +43,20 @@ TEST(BandedMatrix, SolvesAsADenseFactorisationDoes) {
   }
 }
 
+TEST(BandedMatrix, OnceFactoredSolvesFourMoreAtATime) {
+  for (int size : {1, 12, 180}) {
+    Pair a(size, static_cast<unsigned>(size));
+    Eigen::VectorXd x = Eigen::VectorXd::Random(size);
+    ASSERT_TRUE(a.banded.factorAndSolve(x.data())) << size;
+    const Eigen::MatrixXd rhs = Eigen::MatrixXd::Random(size, 4), expected = a.dense.ldlt().solve(rhs);
+    std::vector<Lanes4> four(size);
+    for (int i = 0; i < size; ++i) four[i] = Lanes4{rhs(i, 0), rhs(i, 1), rhs(i, 2), rhs(i, 3)};
+    a.banded.solveAgain(four.data());
+    for (int i = 0; i < size; ++i)
+      for (int k = 0; k < 4; ++k) EXPECT_NEAR(four[i][k], expected(i, k), 1e-10 * expected.norm()) << size << ", " << i << ", " << k;
+  }
+}
+
 TEST(BandedMatrix, ReadsBackBothTrianglesAndNothingOutsideTheBand) {
   const Pair a(40, 7);
   for (int i = 0; i < 40; ++i)
