@@ -103,18 +103,29 @@ TEST(AssistKnot, ComesUndoneWhenATailIsLetGoBeforeItLocks) {
   EXPECT_FALSE(stitch.state.assist->placed);
 }
 
-/// One stitch between two ends 5 mm apart, drawn together by the test: the tissue pulls it open with all its force.
+/// One stitch between two ends 5 mm apart, drawn together by the test: the tissue pulls it open with all its force. The walls buzz then (README), and
+/// one look at them says nothing: they are watched for half a second.
 TEST(AssistKnot, HoldsTwoEndsTogetherThatWouldSpringApart) {
-  double gap[2];                               // [m]
+  constexpr int kWatched = 500;                // steps
+  double least[2], most[2], mean[2];           // [m]
   for (int on = 0; on < 2; ++on) {
     SewnEnds ends({.stitches = 1, .spacing = 4e-3, .depth = 5e-3, .gap = 5e-3, .assist = true});
     ends.tighten();
     if (on) ends.tieOff();
     ends.letGo();
-    gap[on] = measureJoin(ends.model, ends.state).wallGap;
+    least[on] = 1.0;
+    most[on] = mean[on] = 0.0;
+    for (int k = 0; k < kWatched; ++k) {
+      ends.step();
+      const double gap = measureJoin(ends.model, ends.state).wallGap;
+      least[on] = std::min(least[on], gap);
+      most[on] = std::max(most[on], gap);
+      mean[on] += gap / kWatched;
+    }
+    std::printf("%s: walls %.2f to %.2f mm apart, %.2f in the mean\n", on ? "tied" : "not tied", 1e3 * least[on], 1e3 * most[on], 1e3 * mean[on]);
   }
-  EXPECT_LT(gap[1], 2e-3);                     // what lies between knot and holes still comes in when the hands let go
-  EXPECT_GT(gap[0], 3e-3);
+  EXPECT_LT(mean[1], 1e-3);
+  EXPECT_GT(least[0], 3e-3);
 }
 
 TEST(AssistKnot, SlipsWhenItIsPulledPastItsForce) {
