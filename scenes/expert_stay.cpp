@@ -33,7 +33,7 @@ double lastHole(const Scene& s) { return s.state.strand.holes[s.state.strand.hol
 /// Where the thread is to be cut: between the hand that holds it and the needle, where the two tails come out even.  [m]
 double cutPlace(const Scene& s) {
   const double held = s.state.tools[kLeft].threadCoordinate, last = lastHole(s);   // [m]
-  const double least = held > last ? held + kBeyondHand : last + kStub, even = last + s.state.strand.holes[0].coordinate;   // [m]
+  const double least = held > last ? held + s.action.beyondHand : last + kStub, even = last + s.state.strand.holes[0].coordinate;   // [m]
   return std::fmin(std::fmax(least, even - 4e-3 * s.memory.attempt), s.model.strand.length - kByTheNeedle);
 }
 
