@@ -12,7 +12,8 @@ namespace halsted::scenes {
 namespace {
 
 constexpr double kCrossSpeed = 0.05;           // [m/s]
-constexpr double kPass = 8e-3;                 // [m] one hand passes in front of the other
+constexpr double kPass = 8e-3;                 // [m] one hand passes in front of the other,
+constexpr double kOver = 5e-3;                 // [m] which goes higher by this: its shaft comes from the front too, and would catch the other's thread
 constexpr double kSlack = 0.9;                 // [1] of the tail's length: it is not drawn while the hands cross
 constexpr double kRise = 0.6;                  // [1] up over sideways, of the drawn tails: flat, or they lift the stitch; the tools stay clear of the walls
 constexpr double kDraw = 0.02;                 // [m/s]
@@ -56,7 +57,7 @@ void begin(const Scene& s, std::string& failure) {
     if (way == 0.0 || way == wayOf(s, 1 - h)) { failure = "the hands do not hold the two tails"; return; }
     const Vec3 aside = (way * f.side + kRise * f.up).normalized();
     e.goal[h] = {f.middle + length * aside, e.hand[h].command.orientation};
-    const Vec3 over = f.middle + 0.8 * length * f.up + way * kPass * f.front;
+    const Vec3 over = f.middle + (0.8 * length - way * kOver) * f.up + way * kPass * f.front;
     e.pass[h] = {over, e.hand[h].command.orientation};
   }
   e.drawn = e.felt = {};

@@ -104,6 +104,10 @@ Pose above(const Pose& tool, double distance);                   // [m] back alo
 bool moveHand(const Scene&, int hand, const Pose& goal, double speed);   // [m/s]
 /// Comes down on `grip` along the shaft with open jaws and closes them; true once closed. Uses phases `first` to `first + 2`.
 bool pickUp(const Scene&, int hand, const Pose& grip, int first);
+/// The driver holds the long end: the other hand lets go of what it holds and takes the thread that hangs from the driver; true once it
+/// has. Uses `kHangingPhases` phases from `first` on.
+inline constexpr int kHangingPhases = 4;
+bool takeHanging(const Scene&, int first);
 Pose parked(int hand);
 /// Grip on the thread at a coordinate: from the surgeon's side, jaws opening across the thread, whichever way round is nearer.
 Pose threadGrip(const Scene&, int hand, double coordinate);   // [m]

@@ -9,8 +9,6 @@ namespace halsted::scenes {
 namespace {
 
 constexpr double kBlades = 9.5e-3;             // [m] from the driver's tips
-constexpr double kBeyondHand = 12e-3;          // [m] past the hand that holds the long end
-constexpr double kHanging = 22e-3;             // [m] below the driver that holds it
 const Vec3 kLift(0.0, 25e-3, 15e-3);           // [m] so high that its end hangs free
 constexpr double kLoose = 0.9;                 // [1] of the way that its thread allows: lifted, it does not pull on the stitch
 constexpr double kByTheNeedle = 3e-3;          // [m] no nearer to it
@@ -21,7 +19,7 @@ constexpr double kFeelTime = 0.1, kFeel = 0.3; // [s] [N]
 constexpr double kHeld = 2.0;                  // [s]
 constexpr int kAttempts = 4;
 
-enum CutPhase { kBegin, kTakeHanging, kTakeHangingDown, kTakeHangingClose, kFree, kOver, kDown, kClose, kUp };
+enum CutPhase { kHang, kFree = kHang + kHangingPhases, kOver, kDown, kClose, kUp };
 
 void goTo(const Scene& s, int phase) {
   s.memory.phase = phase;
@@ -45,32 +43,17 @@ Vec3 lifted(const Scene& s) {
   return from + std::fmin(1.0, most / (goal - from).norm()) * (goal - from);
 }
 
-/// While the driver still holds the long end, the other hand lets its own tail go, takes the thread that hangs from the driver, and lifts
-/// it when the driver has let go: what is cut then hangs free of the walls.
-void takeHanging(const Scene& s) {
-  ExpertState& e = s.memory;
-  const double held = s.state.tools[kRight].threadCoordinate;    // [m]
-  if (e.phase == kBegin) {
-    if (held < lastHole(s)) { goTo(s, kFree); return; }
-    if (s.inPhase < 1.5 * s.dt) e.goal[kLeft] = above(e.hand[kLeft].command, 0.02);
-    e.hand[kLeft].jaw = 1.0;
-    e.place = std::fmin(held + kHanging, s.model.strand.length - 2.0 * kBeyondHand);
-    if (s.inPhase > 0.3 && moveHand(s, kLeft, e.goal[kLeft], 0.08)) nextPhase(s);
-  } else if (pickUp(s, kLeft, threadGrip(s, kLeft, e.place), kTakeHanging)) {
-    if (s.state.tools[kLeft].threadCoordinate < 0.0) e.hand[kLeft].jaw = 1.0;
-    goTo(s, s.state.tools[kLeft].threadCoordinate < 0.0 ? kTakeHanging : kFree);
-  }
-}
-
 }  // namespace
 
-/// Phase by phase: the hanging thread is taken; the driver comes free; it goes over the thread, the thread between the blades, closes; up again.
+/// Phase by phase: the thread that hangs from the driver is taken, so that what is cut hangs free of the walls; the driver comes free;
+/// it goes over the thread, the thread between the blades, closes; up again.
 bool runCut(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   HandMotion& driver = e.hand[kRight];
   if (s.state.strand.holeCount < 1) { failure = "there is no stitch in the tissue"; return false; }
-  if (e.phase <= kTakeHangingClose) {
-    takeHanging(s);
+  if (e.phase < kFree) {
+    const bool nothing = e.phase == kHang && s.state.tools[kRight].threadCoordinate < lastHole(s);
+    if (nothing || takeHanging(s, kHang)) goTo(s, kFree);
   } else if (e.phase == kFree) {
     if (s.inPhase < 1.5 * s.dt) {
       e.goal[kRight] = above(driver.command, 0.03);

@@ -13,6 +13,7 @@
 namespace halsted::scenes {
 namespace {
 
+constexpr double kLoose = 0.8;                 // [1] of the way that its thread allows: so high is it lifted
 constexpr double kBack = 30e-3;                // [m] along its shaft: where the driver waits
 constexpr double kWindSpeed = 3.0;             // [rad/s]
 constexpr double kMove = 0.08, kCareful = 0.03;   // [m/s]
@@ -29,10 +30,11 @@ constexpr double kHoldTail = 0.15;             // [1] of that for the tail: it i
 constexpr double kReach = 0.09;                // [m] as far as an arm draws
 constexpr double kFeel = 0.5, kFeelTime = 0.05;   // [N], [s]
 constexpr double kHoldTight = 0.3;             // [s]
+constexpr double kPatience = 12.0;             // [s] then it is as tight as it gets: over tissue that gives, two hands that feel each other see-saw
 constexpr int kAttempts = 4;
 
 enum Phase {
-  kLook, kFreeDriver, kFreeLong, kTakeLong, kTakeLongDown, kTakeLongClose, kLiftLong, kStand, kWind, kFollow, kOpen, kToTail, kClose,
+  kLook, kLiftIt, kHang, kFreeDriver = kHang + kHangingPhases, kFreeLong, kTakeLong, kTakeLongDown, kTakeLongClose, kTurn, kLiftLong, kStand, kWind, kFollow, kOpen, kToTail, kClose,
   kThrough, kCross, kDrawTight, kLetTail
 };
 
@@ -52,10 +54,25 @@ bool begin(const Scene& s, std::string& failure) {
   k.side = f.side;
   k.up = f.up;
   k.handle = f.front;
-  const bool free = s.state.tools[kRight].closed;
   for (int h = 0; h < kHands; ++h) s.memory.goal[h] = above(s.memory.hand[h].command, 0.02);
-  goTo(s, free ? kFreeDriver : kFreeLong);
+  goTo(s, driverHoldsLong(s) ? kLiftIt : s.state.tools[kRight].closed ? kFreeDriver : kFreeLong);
   return true;
+}
+
+/// Nothing is let fall: the driver lifts the long end that it holds, and the other hand takes what hangs from it.
+void handOver(const Scene& s) {
+  ExpertState& e = s.memory;
+  if (e.phase == kLiftIt) {
+    if (s.inPhase < 1.5 * s.dt) {
+      const double length = s.state.tools[kRight].threadCoordinate - longHole(s).coordinate;   // [m]
+      e.goal[kRight] = keepTurn(s, kRight, stitch(s) + kLoose * length * e.knot.up);
+    }
+    if (moveHand(s, kRight, e.goal[kRight], kMove)) goTo(s, kHang);
+  } else if (takeHanging(s, kHang)) {
+    e.goal[kLeft] = e.hand[kLeft].command;
+    e.goal[kRight] = above(e.hand[kRight].command, 0.02);
+    goTo(s, kFreeDriver);
+  }
 }
 
 /// The driver and the other hand come free; the other takes the long end and lifts it.
@@ -66,11 +83,11 @@ void takeLongEnd(const Scene& s, std::string& failure) {
     driver.jaw = s.inPhase < 0.2 ? 0.0 : 1.0;  // a squeeze unlocks a loaded driver
     if (s.inPhase > 0.5 && moveHand(s, kRight, e.goal[kRight], kMove)) goTo(s, kFreeLong);
   } else if (e.phase == kFreeLong) {
-    if (holdsLong(s)) { goTo(s, kLiftLong); return; }
+    if (holdsLong(s)) { goTo(s, kTurn); return; }
     e.hand[kLeft].jaw = 1.0;
     if (s.inPhase > 0.4 && moveHand(s, kLeft, e.goal[kLeft], kMove)) goTo(s, kTakeLong);
   } else if (pickUp(s, kLeft, threadGrip(s, kLeft, longPlace(s)), kTakeLong)) {
-    if (holdsLong(s)) { goTo(s, kLiftLong); return; }
+    if (holdsLong(s)) { goTo(s, kTurn); return; }
     if (++e.knot.misses > kAttempts) { failure = "the long end was not taken"; return; }
     e.goal[kLeft] = above(e.hand[kLeft].command, 0.02);
     goTo(s, kFreeLong);
@@ -82,11 +99,13 @@ void giveWay(const Scene& s) {
   if (s.state.tools[kLeft].threadForce.norm() > kSnug) s.memory.knot.given += kGive * s.dt;
 }
 
-/// The winding hand stands on its side, then the driver comes over the stitch with closed jaws, then the thread goes round.
+/// The winding hand turns upright, so that its shaft does not sweep through the tissue on its way; it stands on its side, then the driver comes over the stitch with closed jaws, then the thread goes round.
 void wind(const Scene& s) {
   ExpertState& e = s.memory;
   KnotPlan& k = e.knot;
-  if (e.phase == kLiftLong) {
+  if (e.phase == kTurn) {
+    if (moveHand(s, kLeft, upright(s, kLeft), kMove)) goTo(s, kLiftLong);
+  } else if (e.phase == kLiftLong) {
     k.swept = k.given = 0.0;
     e.hand[kRight].jaw = 0.0;
     const bool up = moveHand(s, kLeft, windingPose(s, driverPlace(s), 0.0), kMove);
@@ -192,7 +211,7 @@ bool drawTight(const Scene& s) {
     moveHand(s, h, {e.goal[h].position + k.drawn[h] * way, e.goal[h].orientation}, 0.1);
   }
   k.settled = tight ? k.settled + s.dt : 0.0;
-  return k.settled > kHoldTight;
+  return k.settled > kHoldTight || s.inPhase > kPatience;
 }
 
 /// The driver lets the tail go and rises; the long end is now on the other side of the stitch.
@@ -212,6 +231,7 @@ bool runTie(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   if (e.phase != kLook && strand(s).holeCount < 2) { failure = "the thread has left the tissue"; return false; }
   if (e.phase == kLook) begin(s, failure);
+  else if (e.phase < kFreeDriver) handOver(s);
   else if (e.phase <= kTakeLongClose) takeLongEnd(s, failure);
   else if (e.phase <= kWind) wind(s);
   else if (e.phase <= kClose) fetchTail(s, failure);

@@ -83,6 +83,7 @@ bool holdsLong(const Scene& s) {
   const double c = s.state.tools[kLeft].threadCoordinate;   // [m]
   return c > longHole(s).coordinate + 0.6 * longEnd(s) && c < longHole(s).coordinate + 1.5 * longEnd(s);
 }
+bool driverHoldsLong(const Scene& s) { return s.state.tools[kRight].threadCoordinate > longHole(s).coordinate; }
 bool holdsTail(const Scene& s) {
   const double c = s.state.tools[kRight].threadCoordinate;   // [m]
   return c >= 0.0 && c < tailHole(s).coordinate;
@@ -107,6 +108,8 @@ Pose windingPose(const Scene& s, const Vec3& driver, double swept) {   // [m], [
 double wholeTurns(const Scene& s) { return 2.0 * kPi * s.memory.knot.throws[s.memory.knot.current].turns; }   // [rad]
 
 Pose keepTurn(const Scene& s, int hand, const Vec3& position) { return {position, s.memory.hand[hand].command.orientation}; }
+
+Pose upright(const Scene& s, int hand) { return laid(s, hand, s.memory.hand[hand].command.position, {s.memory.knot.up, s.memory.knot.side}); }
 
 bool loopOnJaws(const Scene& s) {
   const double near = 2.0 * toolOf(s.model, s.state, kRight).jawRadius;   // [m]

@@ -17,6 +17,8 @@ Vec3 stitch(const Scene&);                     // [m]
 Vec3 driverShaft(const Scene&);                // [1]
 
 Pose keepTurn(const Scene&, int hand, const Vec3& position);   // [m]
+/// Where the hand is, its shaft away from the walls.
+Pose upright(const Scene&, int hand);
 /// The tips of the driver while it is wound; and so far back along its shaft.
 Vec3 driverPlace(const Scene&);                // [m]
 Pose driverPose(const Scene&, double back);    // [m]
@@ -28,6 +30,7 @@ double wholeTurns(const Scene&);               // [rad]
 double tailPlace(const Scene&);                // [m]
 double longPlace(const Scene&);                // [m]
 bool holdsLong(const Scene&);
+bool driverHoldsLong(const Scene&);
 bool holdsTail(const Scene&);
 /// Does the long end still lie about the driver, on the side of its tips?
 bool loopOnJaws(const Scene&);

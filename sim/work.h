@@ -32,6 +32,22 @@ struct HoleWork {
   std::array<std::array<double, kNeighbours>, StrandState::kMaxHoles> shared{};   // [m/N] size, with each that follows
 };
 
+/// Used by sim/suture/exchange.h: vertices that stand for places where thread pushes on the tissue, how many of them, and sums asked for.
+struct VertexCount {
+  static constexpr int kMost = 256;
+  int count = 0;
+  std::array<std::int32_t, kMost> vertex{}, times{};
+};
+struct RowSums {
+  int count = 0;
+  std::array<std::int32_t, VertexCount::kMost> vertex{};
+  std::array<double, VertexCount::kMost> sum{};   // [m/N]
+};
+struct ExchangeWork {
+  VertexCount contacts, holes;
+  RowSums byContacts, byHoles;
+};
+
 /// Used by sim/contact: all pairs of a turn's triangles that can be near while no vertex goes farther than kPairDrift from `place`.
 /// The one thing here that outlives a step: it speeds a search up and never changes what the search finds (sim/contact/pair_search.h).
 struct NearPairs {
@@ -89,6 +105,7 @@ struct StepWork {
   std::array<ThreadSolid, kHands * 3 + 1> threadSolids;   // what the thread may lie against, in a substep
   KnotReader knotReader;
   HoleWork holes;
+  ExchangeWork exchange;
   std::array<StrandContact, StrandState::kMaxContacts> freshContacts;   // found in this step
   int freshCount = 0;
   std::vector<Vec3> force;                     // [N] per particle: what the tissue carried from the last step

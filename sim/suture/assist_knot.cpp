@@ -17,6 +17,7 @@ constexpr double kStiffness = 2e4;             // [N/m] of the tie: 3 N part the
 constexpr int kSamples = 48;                   // along the tails
 constexpr double kCrossedFor = 0.05;           // [s]
 constexpr double kFirm = 0.5;                  // [N] more tension than this in the loop than in the hand: it is tight, the knot runs no farther
+constexpr double kTight = 0.3;                 // [N] the same where it only remains to be seen: a knot that has run as far as it goes hovers about kFirm
 constexpr double kRun = 0.03;                  // [m/s] down to the tissue
 constexpr double kClose = 0.05;                // [m/s] the two strands come together
 constexpr double kSeatSlack = 2e-3;            // [m] of thread in the loop beyond the straight way from hole to hole
@@ -166,7 +167,7 @@ void run(const Model& m, State& s, AssistKnot& k, StepOutput& out) {
   if (k.felt[0] > -kFirm) k.tail = std::min(k.tail + step, tailLimit(s));
   if (k.felt[1] > -kFirm) k.tip = std::max(k.tip - step, tipLimit(s));
   // It lies on the tissue where the loop is as short as the way straight across, or where it is tight: over a ridge it is longer.
-  const bool tight = k.felt[0] < -kFirm && k.felt[1] < -kFirm;
+  const bool tight = k.felt[0] < -kTight && k.felt[1] < -kTight;
   // Hands that give way take the tension off it: what it was while it was drawn counts, or over a ridge it would never lock.
   if (drawing) k.seated = slack > kSeatSlack && !tight ? 0.0 : k.seated + dt;
 }

@@ -4,7 +4,9 @@
 
 #include "sim/lanes.h"
 #include "sim/suture/cut.h"
+#include "sim/suture/exchange.h"
 #include "sim/suture/hole_compliances.h"
+#include "sim/suture/hole_friction.h"
 #include "sim/suture/hole_limits.h"
 #include "sim/suture/hole_sides.h"
 #include "sim/suture/knotting.h"
@@ -12,8 +14,6 @@
 namespace halsted {
 namespace {
 
-constexpr double kNeedleFriction = 0.10;       // [1] polished steel in wet tissue, along the arc (design)
-constexpr double kMostSlide = 1e-3;            // [m] a step: 1 m/s of thread through a hole
 // Taut thread from bowel to bowel, straight or over a knot, slides through the holes at both its ends, and each of them would make up for
 // the whole misfit. A share of it a step: at a third the pair of holes still chatters, at a tenth a drawn stitch comes to rest (tuned: the laws of AssistKnot).
 constexpr double kSharedSlide = 0.1;           // [1]
@@ -22,34 +22,6 @@ constexpr double kSharedSlide = 0.1;           // [1]
 constexpr int kManyHoles = 18;
 constexpr double kManyShare = 0.3;             // [1]
 constexpr double kWithdrawForce = 0.02;        // [N] drag on a tip drawn back along its own cut (design)
-
-bool onNeedle(const Model& m, const Hole& h) { return h.coordinate > m.strand.length; }
-
-/// Length of strand inside the wall at this hole's bite [m].
-double insideLength(const StrandState& s, const Hole& h) {
-  double low = h.coordinate, high = h.coordinate;
-  for (int i = 0; i < s.holeCount; ++i) {
-    if (s.holes[i].bite != h.bite) continue;
-    low = std::fmin(low, s.holes[i].coordinate);
-    high = std::fmax(high, s.holes[i].coordinate);
-  }
-  return high - low;
-}
-
-/// Largest friction along the strand at a hole [N]: capstan on the thread (Euler-Eytelwein), Coulomb on the needle, plus drag.
-double frictionBound(const Model& m, const StrandState& s, const Hole& h) {
-  const double inside = 0.5 * insideLength(s, h);              // [m] each of the two ends carries half
-  if (onNeedle(m, h)) {
-    const Vec3 t = strandTangent(m.strand, s, h.coordinate);
-    const double lateral = (h.force - h.force.dot(t) * t).norm();
-    return kNeedleFriction * lateral + m.params.needle.shaftFriction * inside;
-  }
-  const double before = strandTension(m.strand, s, h.coordinate, -1), after = strandTension(m.strand, s, h.coordinate, 1);
-  const double reach = 1.5 * m.strand.segment;                 // [m] tangents are taken just outside the hole
-  const double excess = capstanExcess(strandTangent(m.strand, s, h.coordinate - reach), strandTangent(m.strand, s, h.coordinate + reach),
-                                      m.params.contact.threadTissueFriction);
-  return std::fmin(before, after) * excess + m.params.thread.channelDrag * inside;
-}
 
 StrandLink holeLink(const Model& m, const StrandState& s, const Hole& h, const Vec3& point, double bound) {
   StrandLink link;
@@ -70,6 +42,11 @@ Vec3 settleFriction(const Model& m, State& state, int i, const Vec3& solved) {
   StrandState& s = state.strand;
   Hole& h = s.holes[i];
   const HoleWork& w = state.work.holes;
+  if (const std::optional<double> creep = creepRound(m, s, h)) {
+    h.slip = 0;
+    if (*creep != 0.0 && !blocked(m, state, i, *creep)) h.coordinate = withinReach(m, state, i, h.coordinate + *creep);
+    return solved;
+  }
   const Vec3 t = strandTangent(m.strand, s, h.coordinate);
   const double along = solved.dot(t);
   if (h.slip == 0) {
@@ -214,6 +191,10 @@ void linkHoles(const Model& m, State& state) {
   StrandState& s = state.strand;
   HoleWork& w = state.work.holes;
   holeCompliances(m, s, w);
+  if (m.params.thread.knots) {                 // drawn tight on the tissue as a knot is, it presses on it all along
+    gatherExchange(m, s, state.work.exchange);
+    for (int i = 0; i < s.holeCount; ++i) w.bound[i] += movedByContacts(m, vertexOf(m, s.holes[i]), state.work.exchange);
+  }
   for (int i = 0; i < s.holeCount; ++i) {
     w.point[i] = holePoint(m, s.holes[i], state.tissue.position);
     addLink(state.work.strand, holeLink(m, s, s.holes[i], w.point[i], w.bound[i]));

@@ -1,9 +1,11 @@
 #include "sim/suture/strand_contacts.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/contact/geometry.h"
 #include "sim/suture/edge_exit.h"
+#include "sim/suture/exchange.h"
 #include "sim/suture/hole_sides.h"
 #include "sim/suture/holes.h"
 #include "sim/tools/tool_shape.h"
@@ -50,6 +52,17 @@ double triangleCompliance(const Model& m, int triangle, const std::array<double,
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) sum += w[i] * w[j] * compliance(m.tissue.projective, v[i], v[j]);
   return sum;
+}
+
+/// What the tissue gives under one sample while its neighbours, and the holes, push too.  [m/N]
+double giveOfTissue(const Model& m, const Sample& x, const SurfacePoint& near, State& state) {
+  const bool thread = x.index < m.strand.nodes;
+  const double crowd = thread ? std::fmax(1.0, kNodeSpacing / segmentAt(m.strand, x.coordinate)) : 1.0;   // [1] where nodes lie closer, more of them press on the same tissue
+  const double own = triangleCompliance(m, near.triangle, near.weight), guess = crowd * kTissueShare * own;   // [m/N]
+  if (!thread || !m.params.thread.knots) return guess;
+  const int corner = static_cast<int>(std::max_element(near.weight.begin(), near.weight.end()) - near.weight.begin());
+  const int vertex = m.surface.triangles[near.triangle][corner];
+  return std::fmax(guess, own + movedByContacts(m, vertex, state.work.exchange) + movedByHoles(m, vertex, state.work.exchange));
 }
 
 /// One unilateral contact before the solve.
@@ -170,9 +183,7 @@ void touchTissue(const Model& m, const Sample& x, State& state, int& fresh) {
     --state.work.strand.linkCount;
     return;
   }
-  // Where the thread's nodes lie closer, more of them press on the same tissue.
-  const double crowd = x.index < m.strand.nodes ? std::fmax(1.0, kNodeSpacing / segmentAt(m.strand, x.coordinate)) : 1.0;   // [1]
-  t.stiffness = 1.0 / (crowd * kTissueShare * triangleCompliance(m, near.triangle, near.weight) + 1e-5);
+  t.stiffness = 1.0 / (giveOfTissue(m, x, near, state) + 1e-5);
   const int triangles = static_cast<int>(m.surface.triangles.size());
   const StrandContact* old = previousContact(s, x.index, near.triangle, true, triangles);
   t.record = {x.index, near.triangle, carriedPush(m, x, old, t.normal), old ? old->force : Vec3(Vec3::Zero()), near.weight};

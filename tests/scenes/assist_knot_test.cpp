@@ -30,10 +30,10 @@ struct HeldStitch : SewnEnds {
       step();
     }
   }
-  /// The hands pass each other and change sides.
+  /// The hands pass each other, the one behind over the one in front, or its shaft would catch the other's thread, and change sides.
   void cross() {
-    const Vec3 up(0.0, 18e-3, 0.0), pass(0.0, 0.0, 5e-3);
-    go(over() + up - pass, over() + up + pass);
+    const Vec3 up(0.0, 16e-3, 0.0), pass(0.0, 6e-3, -5e-3);
+    go(over() + up + pass, over() + up - pass);
     go(over() + Vec3(18e-3, 7e-3, 0.0), over() + Vec3(-18e-3, 7e-3, 0.0));
   }
   void uncrossed() { go(over() + Vec3(-15e-3, 15e-3, 0.0), over() + Vec3(15e-3, 15e-3, 0.0)); }
@@ -103,10 +103,10 @@ TEST(AssistKnot, ComesUndoneWhenATailIsLetGoBeforeItLocks) {
   EXPECT_FALSE(stitch.state.assist->placed);
 }
 
-/// One stitch between two ends 5 mm apart, drawn together by the test: the tissue pulls it open with all its force. The walls buzz then (README), and
-/// one look at them says nothing: they are watched for half a second.
+/// One stitch between two ends 5 mm apart, drawn together by the test: the tissue pulls it open with all its force. The walls still buzz a little
+/// (README), and one look at them says nothing: they are watched for a second.
 TEST(AssistKnot, HoldsTwoEndsTogetherThatWouldSpringApart) {
-  constexpr int kWatched = 500;                // steps
+  constexpr int kWatched = 1000;               // steps
   double least[2], most[2], mean[2];           // [m]
   for (int on = 0; on < 2; ++on) {
     SewnEnds ends({.stitches = 1, .spacing = 4e-3, .depth = 5e-3, .gap = 5e-3, .assist = true});
@@ -124,7 +124,7 @@ TEST(AssistKnot, HoldsTwoEndsTogetherThatWouldSpringApart) {
     }
     std::printf("%s: walls %.2f to %.2f mm apart, %.2f in the mean\n", on ? "tied" : "not tied", 1e3 * least[on], 1e3 * most[on], 1e3 * mean[on]);
   }
-  EXPECT_LT(mean[1], 1e-3);
+  EXPECT_LT(mean[1], 0.5e-3);
   EXPECT_GT(least[0], 3e-3);
 }
 

@@ -1,0 +1,33 @@
+/// From hand to hand: thread that hangs from the driver's jaws.
+#include <cmath>
+
+#include "scenes/expert_state.h"
+
+namespace halsted::scenes {
+namespace {
+
+constexpr double kHanging = 22e-3;             // [m] below the driver that holds it
+constexpr double kByTheNeedle = 24e-3;         // [m] no nearer to it
+constexpr double kUp = 0.02, kSpeed = 0.08;    // [m] the hand rises when it has let go, [m/s]
+constexpr double kLetGo = 0.3;                 // [s]
+
+}  // namespace
+
+bool takeHanging(const Scene& s, int first) {
+  ExpertState& e = s.memory;
+  if (e.phase == first) {
+    if (s.inPhase < 1.5 * s.dt) e.goal[kLeft] = above(e.hand[kLeft].command, kUp);
+    e.hand[kLeft].jaw = 1.0;
+    e.place = std::fmin(s.state.tools[kRight].threadCoordinate + kHanging, s.model.strand.length - kByTheNeedle);
+    if (s.inPhase > kLetGo && moveHand(s, kLeft, e.goal[kLeft], kSpeed)) nextPhase(s);
+    return false;
+  }
+  if (!pickUp(s, kLeft, threadGrip(s, kLeft, e.place), first + 1)) return false;
+  if (s.state.tools[kLeft].threadCoordinate >= 0.0) return true;
+  e.hand[kLeft].jaw = 1.0;                     // missed: once more
+  e.phase = first + 1;
+  e.phaseStart = s.state.step;
+  return false;
+}
+
+}  // namespace halsted::scenes

@@ -1,0 +1,18 @@
+#pragma once
+/// Thread and tissue exchange force incrementally: within the strand's solve a hole or a contact is a spring of its own, and the tissue answers
+/// afterwards to all of them at once. That comes to rest only if each spring gives at least as much as the tissue will when all the others
+/// change too: by the sum of a row of the compliances between them (Gershgorin). Physics thread; no heap.
+#include "sim/model.h"
+#include "sim/work.h"
+
+namespace halsted {
+
+/// Where thread pushes and pulls on the tissue: its holes, and its contacts of the last step. The needle has few, far apart.
+void gatherExchange(const Model&, const StrandState&, ExchangeWork&);
+/// How far newtons at all contacts, or at all holes, move this vertex of the tissue.  [m/N]
+double movedByContacts(const Model&, int vertex, ExchangeWork&);
+double movedByHoles(const Model&, int vertex, ExchangeWork&);
+/// The vertex that stands for a hole: its weightiest.
+int vertexOf(const Model&, const Hole&);
+
+}  // namespace halsted

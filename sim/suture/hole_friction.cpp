@@ -1,0 +1,54 @@
+#include "sim/suture/hole_friction.h"
+
+#include <cmath>
+
+#include "sim/lanes.h"
+#include "sim/strand/strand.h"
+#include "sim/suture/holes.h"
+
+namespace halsted {
+namespace {
+
+constexpr double kNeedleFriction = 0.10;       // [1] polished steel in wet tissue, along the arc (design)
+
+/// Length of strand inside the wall at this hole's bite [m].
+double insideLength(const StrandState& s, const Hole& h) {
+  double low = h.coordinate, high = h.coordinate;
+  for (int i = 0; i < s.holeCount; ++i) {
+    if (s.holes[i].bite != h.bite) continue;
+    low = std::fmin(low, s.holes[i].coordinate);
+    high = std::fmax(high, s.holes[i].coordinate);
+  }
+  return high - low;
+}
+
+}  // namespace
+
+double frictionBound(const Model& m, const StrandState& s, const Hole& h) {
+  const double inside = 0.5 * insideLength(s, h);              // [m] each of the two ends carries half
+  if (onNeedle(m, h)) {
+    const Vec3 t = strandTangent(m.strand, s, h.coordinate);
+    const double lateral = (h.force - h.force.dot(t) * t).norm();
+    return kNeedleFriction * lateral + m.params.needle.shaftFriction * inside;
+  }
+  const double before = strandTension(m.strand, s, h.coordinate, -1), after = strandTension(m.strand, s, h.coordinate, 1);
+  const double reach = 1.5 * m.strand.segment;                 // [m] tangents are taken just outside the hole
+  const double excess = capstanExcess(strandTangent(m.strand, s, h.coordinate - reach), strandTangent(m.strand, s, h.coordinate + reach),
+                                      m.params.contact.threadTissueFriction);
+  return std::fmin(before, after) * excess + m.params.thread.channelDrag * inside;
+}
+
+std::optional<double> creepRound(const Model& m, const StrandState& s, const Hole& h) {
+  constexpr double kSharp = 0.3;               // [1] cosine of the turn
+  constexpr double kCreep = 5e-5;              // [m/N] a step: some of what tissue, the softest part of the loop, gives under that force
+  if (onNeedle(m, h) || !m.params.thread.knots) return std::nullopt;
+  const double reach = segmentAt(m.strand, h.coordinate);      // [m]
+  const Vec3 in = strandTangent(m.strand, s, h.coordinate - reach), out = strandTangent(m.strand, s, h.coordinate + reach);
+  if (in.dot(out) > kSharp) return std::nullopt;
+  const double drawn = strandTension(m.strand, s, h.coordinate, 1) - strandTension(m.strand, s, h.coordinate, -1);   // [N] toward the needle
+  const double excess = magnitude(drawn) - frictionBound(m, s, h);   // [N]
+  const double creep = excess > 0.0 ? std::fmin(kMostSlide, kCreep * excess) : 0.0;   // [m]
+  return drawn > 0.0 ? -creep : creep;
+}
+
+}  // namespace halsted
