@@ -83,11 +83,11 @@ void takeLongEnd(const Scene& s, std::string& failure) {
     driver.jaw = s.inPhase < 0.2 ? 0.0 : 1.0;  // a squeeze unlocks a loaded driver
     if (s.inPhase > 0.5 && moveHand(s, kRight, e.goal[kRight], kMove)) goTo(s, kFreeLong);
   } else if (e.phase == kFreeLong) {
-    if (holdsLong(s)) { goTo(s, kTurn); return; }
+    if (holdsLong(s)) { goTo(s, standsUpright(s, kLeft) ? kLiftLong : kTurn); return; }
     e.hand[kLeft].jaw = 1.0;
     if (s.inPhase > 0.4 && moveHand(s, kLeft, e.goal[kLeft], kMove)) goTo(s, kTakeLong);
   } else if (pickUp(s, kLeft, threadGrip(s, kLeft, longPlace(s)), kTakeLong)) {
-    if (holdsLong(s)) { goTo(s, kTurn); return; }
+    if (holdsLong(s)) { goTo(s, standsUpright(s, kLeft) ? kLiftLong : kTurn); return; }
     if (++e.knot.misses > kAttempts) { failure = "the long end was not taken"; return; }
     e.goal[kLeft] = above(e.hand[kLeft].command, 0.02);
     goTo(s, kFreeLong);

@@ -111,6 +111,8 @@ Pose keepTurn(const Scene& s, int hand, const Vec3& position) { return {position
 
 Pose upright(const Scene& s, int hand) { return laid(s, hand, s.memory.hand[hand].command.position, {s.memory.knot.up, s.memory.knot.side}); }
 
+bool standsUpright(const Scene& s, int hand) { return (s.memory.hand[hand].command.orientation * Vec3::UnitZ()).dot(s.memory.knot.up) > 0.9; }
+
 bool loopOnJaws(const Scene& s) {
   const double near = 2.0 * toolOf(s.model, s.state, kRight).jawRadius;   // [m]
   for (int i = threadSpot(s.model.strand, longHole(s).coordinate).node + 1; i < s.model.strand.nodes; ++i) {

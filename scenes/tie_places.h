@@ -19,6 +19,7 @@ Vec3 driverShaft(const Scene&);                // [1]
 Pose keepTurn(const Scene&, int hand, const Vec3& position);   // [m]
 /// Where the hand is, its shaft away from the walls.
 Pose upright(const Scene&, int hand);
+bool standsUpright(const Scene&, int hand);
 /// The tips of the driver while it is wound; and so far back along its shaft.
 Vec3 driverPlace(const Scene&);                // [m]
 Pose driverPose(const Scene&, double back);    // [m]

@@ -38,6 +38,8 @@ double remembered(const Model& m, int vertex, const VertexCount& list, RowSums& 
 
 }  // namespace
 
+bool sumsExchange(const Model& m, const State& s) { return m.params.thread.knots && m.bowels.count > 1 && !s.cut; }
+
 int vertexOf(const Model& m, const Hole& h) { return m.tissue.tets[h.tet][heaviest(h.weight)]; }
 
 void gatherExchange(const Model& m, const StrandState& s, ExchangeWork& w) {

@@ -3,9 +3,14 @@
 /// afterwards to all of them at once. That comes to rest only if each spring gives at least as much as the tissue will when all the others
 /// change too: by the sum of a row of the compliances between them (Gershgorin). Physics thread; no heap.
 #include "sim/model.h"
+#include "sim/state.h"
 #include "sim/work.h"
 
 namespace halsted {
+
+/// Is that sum reckoned? Between two bowels joined by thread that can be knotted. Not yet elsewhere: a wall that stands comes to rest without, and
+/// over edges that were cut the first knot of `altemeier` then breaks its thread.
+bool sumsExchange(const Model&, const State&);
 
 /// Where thread pushes and pulls on the tissue: its holes, and its contacts of the last step. The needle has few, far apart.
 void gatherExchange(const Model&, const StrandState&, ExchangeWork&);

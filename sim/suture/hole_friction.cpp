@@ -41,7 +41,7 @@ double frictionBound(const Model& m, const StrandState& s, const Hole& h) {
 std::optional<double> creepRound(const Model& m, const StrandState& s, const Hole& h) {
   constexpr double kSharp = 0.3;               // [1] cosine of the turn
   constexpr double kCreep = 5e-5;              // [m/N] a step: some of what tissue, the softest part of the loop, gives under that force
-  if (onNeedle(m, h) || !m.params.thread.knots) return std::nullopt;
+  if (onNeedle(m, h)) return std::nullopt;
   const double reach = segmentAt(m.strand, h.coordinate);      // [m]
   const Vec3 in = strandTangent(m.strand, s, h.coordinate - reach), out = strandTangent(m.strand, s, h.coordinate + reach);
   if (in.dot(out) > kSharp) return std::nullopt;

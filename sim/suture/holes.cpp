@@ -42,7 +42,7 @@ Vec3 settleFriction(const Model& m, State& state, int i, const Vec3& solved) {
   StrandState& s = state.strand;
   Hole& h = s.holes[i];
   const HoleWork& w = state.work.holes;
-  if (const std::optional<double> creep = creepRound(m, s, h)) {
+  if (const std::optional<double> creep = sumsExchange(m, state) ? creepRound(m, s, h) : std::nullopt) {
     h.slip = 0;
     if (*creep != 0.0 && !blocked(m, state, i, *creep)) h.coordinate = withinReach(m, state, i, h.coordinate + *creep);
     return solved;
@@ -191,7 +191,7 @@ void linkHoles(const Model& m, State& state) {
   StrandState& s = state.strand;
   HoleWork& w = state.work.holes;
   holeCompliances(m, s, w);
-  if (m.params.thread.knots) {                 // drawn tight on the tissue as a knot is, it presses on it all along
+  if (sumsExchange(m, state)) {                // drawn tight on the tissue as a knot is, it presses on it all along
     gatherExchange(m, s, state.work.exchange);
     for (int i = 0; i < s.holeCount; ++i) w.bound[i] += movedByContacts(m, vertexOf(m, s.holes[i]), state.work.exchange);
   }

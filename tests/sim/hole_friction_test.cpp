@@ -13,7 +13,7 @@ namespace {
 /// A hole between nodes 20 and 21, `turn` between the two legs.
 struct Turned : ThreadedWall {
   Hole hole;
-  explicit Turned(double turn, bool knots = true) : ThreadedWall(kNeedleAway, params(knots)) {   // [rad]
+  explicit Turned(double turn) : ThreadedWall(kNeedleAway) {   // [rad]
     const double segment = model.strand.segment;               // [m]
     hole.coordinate = 20.5 * segment;
     hole.tet = 0;
@@ -21,11 +21,6 @@ struct Turned : ThreadedWall {
       const double along = (i - 20.5) * segment;               // [m]
       state.strand.position[i] = along < 0.0 ? Vec3(along * Vec3::UnitX()) : Vec3(along * Vec3(std::cos(turn), std::sin(turn), 0.0));
     }
-  }
-  static SimParams params(bool knots) {
-    SimParams p = wallParams();
-    p.thread.knots = knots;
-    return p;
   }
   std::optional<double> creep(double before, double after) {   // [N]
     for (int i = 0; i + 1 < model.strand.nodes; ++i) state.strand.tension[i] = i <= 20 ? before : after;
@@ -50,7 +45,6 @@ TEST(HoleFriction, ThreadTurnedBackStaysBelowTheCapstan) {
 
 TEST(HoleFriction, ElsewhereItIsLeftToTheSolve) {
   EXPECT_FALSE(Turned(0.2 * std::numbers::pi).creep(0.1, 2.0));
-  EXPECT_FALSE(Turned(0.9 * std::numbers::pi, false).creep(0.1, 2.0));
 }
 
 }  // namespace
