@@ -80,6 +80,22 @@ TEST(InstrumentTie, ASurgeonsKnotIsReadThrowByThrowAndHolds) {
   EXPECT_GT(w.stitchLeftAlone(), 0.05);        // [N]
 }
 
+/// The driver that has drawn the thread through still holds it: the other hand takes it over, and at no moment does the long end fall.
+TEST(InstrumentTie, TheLongEndIsHandedOverBeforeTheDriverLetsGo) {
+  TiedWall w;
+  const double through = w.model.strand.length - w.state.strand.holes[w.state.strand.holeCount - 1].coordinate;   // [m]
+  const std::string pull = std::to_string(1e3 * through + 2.0);
+  ASSERT_TRUE(w.act("[[action]]\ndo = \"draw\"\ntail_mm = 30\npull_mm = " + pull + "\nlimit_s = 20\n")) << w.failure;
+  ASSERT_GT(w.state.tools[kRight].threadCoordinate, w.state.strand.holes[1].coordinate);
+  const scenes::ExpertScript script = scenes::parseExpert("scene = \"wall\"\n[[action]]\ndo = \"tie\"\ntie = \"1\"\nlimit_s = 20\n", "test");
+  const scenes::ExpertStatePtr memory = scenes::beginExpert(script, w.model);
+  const auto holdsLong = [&](int hand) { return w.state.tools[hand].threadCoordinate > w.state.strand.holes[1].coordinate; };
+  int steps = 0;
+  for (; steps < 12000 && holdsLong(kRight); ++steps) ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+  EXPECT_GT(steps, 100);
+  EXPECT_TRUE(holdsLong(kLeft)) << "when the driver lets go";
+}
+
 /// Both hands open before the throw is drawn tight: nothing is left that bears anything.
 TEST(InstrumentTie, LettingGoBeforeTighteningUndoesIt) {
   const Tied w("1", "0.05", "[[action]]\ndo = \"let_go\"\n[[action]]\ndo = \"hold\"\nlimit_s = 1\n");
