@@ -12,8 +12,8 @@ namespace halsted::scenes {
 namespace {
 
 constexpr double kCrossSpeed = 0.05;           // [m/s]
-constexpr double kPass = 8e-3;                 // [m] one hand passes in front of the other,
-constexpr double kOver = 5e-3;                 // [m] which goes higher by this: its shaft comes from the front too, and would catch the other's thread
+constexpr double kPass = 8e-3;                 // [m] one hand passes in front of the other
+constexpr double kOver = 5e-3;                 // [m] lower by this, and the one behind higher: its shaft comes from the front too, and would catch the other's thread
 constexpr double kSlack = 0.9;                 // [1] of the tail's length: it is not drawn while the hands cross
 constexpr double kRise = 0.6;                  // [1] up over sideways, of the drawn tails: flat, or they lift the stitch; the tools stay clear of the walls
 constexpr double kDraw = 0.02;                 // [m/s]

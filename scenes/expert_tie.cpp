@@ -34,8 +34,8 @@ constexpr double kPatience = 12.0;             // [s] then it is as tight as it 
 constexpr int kAttempts = 4;
 
 enum Phase {
-  kLook, kLiftIt, kHang, kFreeDriver = kHang + kHangingPhases, kFreeLong, kTakeLong, kTakeLongDown, kTakeLongClose, kTurn, kLiftLong, kStand, kWind, kFollow, kOpen, kToTail, kClose,
-  kThrough, kCross, kDrawTight, kLetTail
+  kLook, kLiftIt, kHang, kFreeDriver = kHang + kHangingPhases, kFreeLong, kTakeLong, kTakeLongDown, kTakeLongClose,
+  kTurn, kLiftLong, kStand, kWind, kFollow, kOpen, kToTail, kClose, kThrough, kCross, kDrawTight, kLetTail
 };
 
 void goTo(const Scene& s, int phase) {
@@ -75,6 +75,9 @@ void handOver(const Scene& s) {
   }
 }
 
+/// The winding hand turns upright first, or its shaft would sweep through the tissue on its way to the far side.
+void beginWinding(const Scene& s) { goTo(s, standsUpright(s, kLeft) ? kLiftLong : kTurn); }
+
 /// The driver and the other hand come free; the other takes the long end and lifts it.
 void takeLongEnd(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
@@ -83,11 +86,11 @@ void takeLongEnd(const Scene& s, std::string& failure) {
     driver.jaw = s.inPhase < 0.2 ? 0.0 : 1.0;  // a squeeze unlocks a loaded driver
     if (s.inPhase > 0.5 && moveHand(s, kRight, e.goal[kRight], kMove)) goTo(s, kFreeLong);
   } else if (e.phase == kFreeLong) {
-    if (holdsLong(s)) { goTo(s, standsUpright(s, kLeft) ? kLiftLong : kTurn); return; }
+    if (holdsLong(s)) { beginWinding(s); return; }
     e.hand[kLeft].jaw = 1.0;
     if (s.inPhase > 0.4 && moveHand(s, kLeft, e.goal[kLeft], kMove)) goTo(s, kTakeLong);
   } else if (pickUp(s, kLeft, threadGrip(s, kLeft, longPlace(s)), kTakeLong)) {
-    if (holdsLong(s)) { goTo(s, standsUpright(s, kLeft) ? kLiftLong : kTurn); return; }
+    if (holdsLong(s)) { beginWinding(s); return; }
     if (++e.knot.misses > kAttempts) { failure = "the long end was not taken"; return; }
     e.goal[kLeft] = above(e.hand[kLeft].command, 0.02);
     goTo(s, kFreeLong);
@@ -99,7 +102,7 @@ void giveWay(const Scene& s) {
   if (s.state.tools[kLeft].threadForce.norm() > kSnug) s.memory.knot.given += kGive * s.dt;
 }
 
-/// The winding hand turns upright, so that its shaft does not sweep through the tissue on its way; it stands on its side, then the driver comes over the stitch with closed jaws, then the thread goes round.
+/// The winding hand stands on its side, then the driver comes over the stitch with closed jaws, then the thread goes round.
 void wind(const Scene& s) {
   ExpertState& e = s.memory;
   KnotPlan& k = e.knot;

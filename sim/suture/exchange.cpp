@@ -14,7 +14,7 @@ template <std::size_t N> int heaviest(const std::array<double, N>& weight) {   /
 void add(int vertex, VertexCount& list) {
   for (int i = 0; i < list.count; ++i)
     if (list.vertex[i] == vertex) { ++list.times[i]; return; }
-  if (list.count == VertexCount::kMost) return;
+  static_assert(VertexCount::kMost >= StrandState::kMaxContacts && VertexCount::kMost >= StrandState::kMaxHoles);
   list.vertex[list.count] = vertex;
   list.times[list.count++] = 1;
 }
@@ -41,13 +41,14 @@ double remembered(const Model& m, int vertex, const VertexCount& list, RowSums& 
 bool sumsExchange(const Model& m, const State& s) { return m.params.thread.knots && m.bowels.count > 1 && !s.cut; }
 
 int vertexOf(const Model& m, const Hole& h) { return m.tissue.tets[h.tet][heaviest(h.weight)]; }
+int vertexOf(const Model& m, int triangle, const std::array<double, 3>& weight) { return m.surface.triangles[triangle][heaviest(weight)]; }
 
 void gatherExchange(const Model& m, const StrandState& s, ExchangeWork& w) {
   w.contacts.count = w.holes.count = w.byContacts.count = w.byHoles.count = 0;
   const int triangles = static_cast<int>(m.surface.triangles.size());
   for (int i = 0; i < s.contactCount; ++i) {
     const StrandContact& c = s.contacts[i];
-    if (c.feature < triangles && c.sample < m.strand.nodes) add(m.surface.triangles[c.feature][heaviest(c.weight)], w.contacts);
+    if (c.feature < triangles && c.sample < m.strand.nodes) add(vertexOf(m, c.feature, c.weight), w.contacts);
   }
   for (int i = 0; i < s.holeCount; ++i) add(vertexOf(m, s.holes[i]), w.holes);
 }

@@ -8,8 +8,8 @@
 
 namespace halsted {
 
-/// Is that sum reckoned? Between two bowels joined by thread that can be knotted. Not yet elsewhere: a wall that stands comes to rest without, and
-/// over edges that were cut the first knot of `altemeier` then breaks its thread.
+/// Is that sum reckoned? Between two bowels joined by thread that can be knotted. Not yet elsewhere: on a standing wall two hands then lose a throw
+/// (InstrumentTie), and over edges that were cut the first knot of `altemeier` breaks its thread. Why is not known.
 bool sumsExchange(const Model&, const State&);
 
 /// Where thread pushes and pulls on the tissue: its holes, and its contacts of the last step. The needle has few, far apart.
@@ -17,7 +17,8 @@ void gatherExchange(const Model&, const StrandState&, ExchangeWork&);
 /// How far newtons at all contacts, or at all holes, move this vertex of the tissue.  [m/N]
 double movedByContacts(const Model&, int vertex, ExchangeWork&);
 double movedByHoles(const Model&, int vertex, ExchangeWork&);
-/// The vertex that stands for a hole: its weightiest.
+/// The vertex that stands for a hole, or for a place in a triangle: the weightiest.
 int vertexOf(const Model&, const Hole&);
+int vertexOf(const Model&, int triangle, const std::array<double, 3>& weight);
 
 }  // namespace halsted

@@ -1,6 +1,5 @@
 #include "sim/suture/strand_contacts.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "sim/contact/geometry.h"
@@ -60,8 +59,7 @@ double giveOfTissue(const Model& m, const Sample& x, const SurfacePoint& near, S
   const double crowd = thread ? std::fmax(1.0, kNodeSpacing / segmentAt(m.strand, x.coordinate)) : 1.0;   // [1] where nodes lie closer, more of them press on the same tissue
   const double own = triangleCompliance(m, near.triangle, near.weight), guess = crowd * kTissueShare * own;   // [m/N]
   if (!thread || !sumsExchange(m, state)) return guess;
-  const int corner = static_cast<int>(std::max_element(near.weight.begin(), near.weight.end()) - near.weight.begin());
-  const int vertex = m.surface.triangles[near.triangle][corner];
+  const int vertex = vertexOf(m, near.triangle, near.weight);
   return std::fmax(guess, own + movedByContacts(m, vertex, state.work.exchange) + movedByHoles(m, vertex, state.work.exchange));
 }
 

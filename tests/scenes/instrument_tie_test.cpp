@@ -93,6 +93,7 @@ TEST(InstrumentTie, TheLongEndIsHandedOverBeforeTheDriverLetsGo) {
   int steps = 0;
   for (; steps < 12000 && holdsLong(kRight); ++steps) ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
   EXPECT_GT(steps, 100);
+  EXPECT_FALSE(holdsLong(kRight)) << "it never lets go";
   EXPECT_TRUE(holdsLong(kLeft)) << "when the driver lets go";
 }
 
