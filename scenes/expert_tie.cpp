@@ -23,7 +23,7 @@ constexpr double kTaut = 0.5;                  // [N] at which a tail on its way
 constexpr double kTailShare = 0.85;            // [1] of its length: how far from the tissue the tail is drawn up through the loop
 constexpr double kAside = 10e-3, kLow = 6e-3;  // [m] from the stitch as the ends begin to be drawn; above it
 constexpr double kOff = 0.1, kFirm = 0.6;      // [N] felt when there is nothing more to come; with which a loop that clings is drawn off
-constexpr double kClings = 3.0;                // [s] after which it is drawn tight as it is
+constexpr double kClings = 3.0;                // [s] after which it is wound again: it has come to lie between the jaws
 constexpr double kOver = 18e-3, kBeyond = 12e-3;   // [m] of the other hand above the stitch and past the tips meanwhile
 constexpr double kDraw = 0.03;                 // [m/s]
 constexpr double kHoldTail = 0.15;             // [1] of that for the tail: it is to stay short
@@ -35,7 +35,7 @@ constexpr int kAttempts = 4;
 
 enum Phase {
   kLook, kLiftIt, kHang, kFreeDriver = kHang + kHangingPhases, kFreeLong, kTakeLong, kTakeLongDown, kTakeLongClose,
-  kTurn, kLiftLong, kStand, kWind, kFollow, kOpen, kToTail, kClose, kThrough, kCross, kDrawTight, kLetTail
+  kTurn, kLiftLong, kStand, kWind, kFollow, kOpen, kToTail, kClose, kThrough, kUnwind, kCross, kDrawTight, kLetTail
 };
 
 void goTo(const Scene& s, int phase) {
@@ -170,8 +170,9 @@ void drawOffTips(const Scene& s) {
     const Vec3 from = stitch(s) + kOver * k.up - kBeyond * k.handle;
     moveHand(s, kLeft, keepTurn(s, kLeft, from - k.drawn[kLeft] * k.handle), 2.0 * kCareful);
   }
-  const bool off = k.felt[kLeft] > kOff && (!loopOnJaws(s) || k.settled > kClings);
-  if (off || k.drawn[kLeft] > kReach) goTo(s, kCross);
+  const bool on = loopOnJaws(s);
+  if (on && k.settled > kClings && ++k.misses <= kAttempts) goTo(s, kUnwind);
+  else if ((k.felt[kLeft] > kOff && (!on || k.settled > kClings)) || k.drawn[kLeft] > kReach) goTo(s, kCross);
 }
 
 /// The tail comes through the loop, then the hands go to their sides.
@@ -217,14 +218,19 @@ bool drawTight(const Scene& s) {
   return k.settled > kHoldTight || s.inPhase > kPatience;
 }
 
-/// The driver lets the tail go and rises; the long end is now on the other side of the stitch.
-void nextThrow(const Scene& s) {
+/// The driver lets the tail go and rises.
+bool letTailGo(const Scene& s) {
   ExpertState& e = s.memory;
   if (s.inPhase < 1.5 * s.dt) e.goal[kRight] = above(e.hand[kRight].command, 0.02);
   e.hand[kRight].jaw = 1.0;
-  if (s.inPhase < 0.3 || !moveHand(s, kRight, e.goal[kRight], kMove)) return;
-  ++e.knot.current;
-  e.knot.side = -e.knot.side;
+  return s.inPhase > 0.3 && moveHand(s, kRight, e.goal[kRight], kMove);
+}
+
+/// The long end is now on the other side of the stitch.
+void nextThrow(const Scene& s) {
+  if (!letTailGo(s)) return;
+  ++s.memory.knot.current;
+  s.memory.knot.side = -s.memory.knot.side;
   goTo(s, kLiftLong);
 }
 
@@ -238,6 +244,7 @@ bool runTie(const Scene& s, std::string& failure) {
   else if (e.phase <= kTakeLongClose) takeLongEnd(s, failure);
   else if (e.phase <= kWind) wind(s);
   else if (e.phase <= kClose) fetchTail(s, failure);
+  else if (e.phase == kUnwind) { if (letTailGo(s)) goTo(s, kLiftLong); }
   else if (e.phase <= kCross) drawThrough(s);
   else if (e.phase == kLetTail) nextThrow(s);
   else if (drawTight(s)) {

@@ -53,6 +53,7 @@ void addStrand(SimParams& params, Fields& fields) {
       {"thread.linear_density", &thread.linearDensity, 1e-7, 1e-2, "kg/m"},
       {"thread.axial_stiffness", &thread.axialStiffness, 1, 1e5, "N"},
       {"thread.bending_stiffness", &thread.bendingStiffness, 0, 1e-4, "N m^2"},
+      {"thread.yield_moment", &thread.yieldMoment, 0, 1e-2, "N m"},
       {"thread.damping", &thread.damping, 0, 1e4, "1/s"},
       {"thread.channel_drag", &thread.channelDrag, 0, 1e4, "N/m"},
       {"thread.knots", &thread.knots, 0, 1, ""},

@@ -122,9 +122,9 @@ template <class V> void visitMembers(StrandState& object, FieldWalk<V>& walk) {
 HALSTED_FIELDS(ThreadContact, sample, partner, place, normalForce, friction)
 /// Nothing at all in a scene whose thread does not meet itself; otherwise only the contacts there are, for the table is long.
 template <class V> void visitMembers(ThreadContactState& object, FieldWalk<V>& walk) {
-  auto& [contacts, count, dropped, drag, cut] = object;
+  auto& [contacts, count, dropped, drag, set, cut] = object;
   if (drag.empty()) return;
-  walk.members("count, dropped, drag, cut", count, dropped, drag, cut);
+  walk.members("count, dropped, drag, set, cut", count, dropped, drag, set, cut);
   if (count < 0 || count > ThreadContactState::kMaxContacts) count = 0;   // read from damaged data
   walk.members("contacts", std::span<ThreadContact>(contacts.data(), static_cast<std::size_t>(count)));
 }

@@ -42,6 +42,7 @@ struct ThreadParams {                          // [thread]
   double linearDensity = 5e-5;                 // linear_density [kg/m] 0.1 mg per 2 mm
   double axialStiffness = 1500.0;              // axial_stiffness [N] EA; 1 N stretches 0.07 %; braided silk itself is 785 N
   double bendingStiffness = 5e-8;              // bending_stiffness [N m^2] braided, physics.md D
+  double yieldMoment = 2e-5;                   // yield_moment [N m] with `knots`: bent tighter than 2.5 mm a braid takes a set (design); 0: elastic
   double damping = 20.0;                       // damping [1/s] air and internal; tuned: a dropped thread settles in 0.2 s
   double channelDrag = 8.0;                    // channel_drag [N/m] drag per length of channel (design)
   // Where knots are tied the thread has finer nodes; the ends fall on nodes of the rest. fine_segment 0: nowhere.
@@ -49,7 +50,7 @@ struct ThreadParams {                          // [thread]
   double fineSegment = 0.0;                    // fine_segment [m] 0.2 to 0.4 mm make a knot of its own size
   bool knots = false;                          // knots: thread meets itself, and tools within its own solve
   int substeps = 4;                            // substeps [1] of the strand in a step, with knots
-  double friction = 0.35;                      // friction [1] thread on thread; see ThreadContactParams
+  double friction = 0.30;                      // friction [1] thread on thread; see ThreadContactParams
   double lateralModulus = 5e8;                 // lateral_modulus [Pa] of a squeezed braid (design)
   // For beginners: crossing the tails and drawing them places a knot that holds. Not physics; only with `knots`. sim/suture/assist_knot.h
   ThreadAssist assist = ThreadAssist::kNone;   // assist

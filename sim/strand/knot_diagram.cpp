@@ -110,6 +110,7 @@ void widen(NodeRange& range, int node) {
 // A view in which all crossings belong to throws shows the knot; of these the one with the fewest. Ten directions without symmetry do but
 // for one double throw in two hundred, whose diagram keeps a crossing too many: then thirty more.
 constexpr int kFirstViews = 10, kViews = 40;
+constexpr int kLooks = 3;                      // more, with the corners drawn in before each
 
 Vec3 viewDirection(int n) {                    // [1]
   constexpr double kFirst[kFirstViews][3] = {{0.11, 0.07, 1.0}, {1.0, 0.13, 0.09}, {0.05, 1.0, 0.12}, {1.0, 0.9, 0.17},  {-0.8, 1.0, 0.21},
@@ -136,30 +137,31 @@ void reduceDiagram(KnotDiagram& d) {
 }
 
 KnotReader::KnotReader(int nodes) {
-  straight_.reserve(nodes + 2);
-  seen_.reserve(nodes + 2);
-  node_.reserve(nodes + 2);
+  const int most = 2 * nodes + 2;              // two points of the curve for every node, and both ends led away
+  straight_.reserve(most);
+  seen_.reserve(most);
+  node_.reserve(most);
   visits_.reserve(2 * kMostCrossings);
   diagram_.code.reserve(2 * kMostCrossings);
   diagram_.sign.reserve(kMostCrossings);
 }
 
 /// Node of the thread that lies nearest to a place on the straightened one: a long straight piece is crossed anywhere.
-int KnotReader::nodeAt(std::span<const Vec3> curve, double along) const {   // [m], [1]
+int KnotReader::nodeAt(std::span<const Vec3> nodes, double along) const {   // [m], [1]
   const std::size_t piece = static_cast<std::size_t>(along);
   const double share = along - static_cast<double>(piece);   // [1]
   const Vec3 place = straight_[piece] + share * (straight_[piece + 1] - straight_[piece]);
   int nearest = node_[piece];
   for (int i = nearest + 1; i <= node_[piece + 1]; ++i)
-    if ((curve[i] - place).squaredNorm() < (curve[nearest] - place).squaredNorm()) nearest = i;
+    if ((nodes[i] - place).squaredNorm() < (nodes[nearest] - place).squaredNorm()) nearest = i;
   return nearest;
 }
 
-bool KnotReader::project(std::span<const Vec3> curve, const Vec3& direction) {   // [m], [1]
+bool KnotReader::project(std::span<const Vec3> nodes, const Vec3& direction) {   // [m], [1]
   turn(straight_, direction, seen_);
   if (!findCrossings(seen_, kMostCrossings, visits_, diagram_)) return false;
   for (SeenVisit& v : visits_) {
-    v.visit.node = nodeAt(curve, v.along);
+    v.visit.node = nodeAt(nodes, v.along);
     diagram_.code.push_back(v.visit);
   }
   reduceDiagram(diagram_);
@@ -189,23 +191,31 @@ KnotReading KnotReader::takeThrows() {
   return reading;
 }
 
-KnotReading KnotReader::read(std::span<const Vec3> curve) {
-  straighten(curve);
-  KnotReading best;
-  best.crossingsLeft = kMostCrossings;
-  int fewest = kMostCrossings + 1;
-  for (int n = 0; n < kViews && !(n >= kFirstViews && best.complete); ++n) {
-    if (!project(curve, viewDirection(n))) continue;
+void KnotReader::lookFrom(std::span<const Vec3> nodes, int views, KnotReading& best, int& fewest) {
+  for (int n = 0; n < views && !(n >= kFirstViews && best.complete); ++n) {
+    if (!project(nodes, viewDirection(n))) continue;
     const int crossings = diagram_.crossings();
     const KnotReading reading = takeThrows();
     const bool better = reading.complete != best.complete ? reading.complete : crossings < fewest;
     if (better) { best = reading; fewest = crossings; }
-    if (crossings == 0) break;
+    if (crossings == 0) return;
+  }
+}
+
+KnotReading KnotReader::read(std::span<const Vec3> nodes) {
+  straighten(nodes);
+  KnotReading best;
+  best.crossingsLeft = kMostCrossings;
+  int fewest = kMostCrossings + 1;
+  lookFrom(nodes, kViews, best, fewest);
+  for (int again = 0; again < kLooks && !best.complete; ++again) {
+    drawIn();
+    lookFrom(nodes, kFirstViews, best, fewest);
   }
   return best;
 }
 
-KnotReading readKnot(std::span<const Vec3> curve) { return KnotReader(static_cast<int>(curve.size())).read(curve); }
+KnotReading readKnot(std::span<const Vec3> nodes) { return KnotReader(static_cast<int>(nodes.size())).read(nodes); }
 
 std::string surgicalNotation(const KnotReading& r) {
   std::string text;

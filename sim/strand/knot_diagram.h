@@ -1,9 +1,10 @@
 #pragma once
-/// What was tied, read from the thread's own course. Its nodes are joined into fewer, straighter pieces wherever no other piece passes
-/// between (Koniaris and Muthukumar 1991), the rest is projected, its crossings with signs are read along the thread, and the diagram is
-/// reduced by Reidemeister's first and second moves. A throw is a run of an odd number of crossings of one sign that both strands pass in
-/// the same order: 3 for one turn, 5 for a surgeon's double. Throws that enclose one another were tied on the same loop, innermost first;
-/// opposite signs lie square (=), equal signs make a granny (x).
+/// What was tied, read from the thread's own course: its smooth curve (thread_curve.h) is joined into fewer, straighter pieces wherever no
+/// other piece passes between (Koniaris and Muthukumar 1991), the rest is projected, its crossings with signs are read along the thread, and
+/// the diagram is reduced by Reidemeister's first and second moves. A knot drawn tight shows crossings too many in almost every view; where
+/// none can be read the corners are drawn in, as far as nothing is in their way, and it is looked at again. A throw is a run of an odd
+/// number of crossings of one sign that both strands pass in the same order: 3 for one turn, 5 for a surgeon's double. Throws that enclose
+/// one another were tied on the same loop, innermost first; opposite signs lie square (=), equal signs make a granny (x).
 /// The two ends are led straight away from the middle of the thread. No libm; a `KnotReader` takes no heap once made.
 #include <array>
 #include <span>
@@ -62,10 +63,10 @@ void reduceDiagram(KnotDiagram&);
 /// diagram of more than 60 crossings is refused.
 long long knotDeterminant(const KnotDiagram&);
 
-/// The thread with every node left out that no other piece holds in place; ends led away.
-std::vector<Vec3> straightened(std::span<const Vec3> curve);   // [m]
+/// The thread's curve with every point left out that no other piece holds in place; ends led away.
+std::vector<Vec3> straightened(std::span<const Vec3> nodes);   // [m]
 
-KnotReading readKnot(std::span<const Vec3> curve);   // [m]
+KnotReading readKnot(std::span<const Vec3> nodes);   // [m]
 
 /// Reads again and again without the heap.
 class KnotReader {
@@ -74,14 +75,17 @@ class KnotReader {
   struct Visit { double along; CrossingVisit visit; };   // [1] piece of the straightened thread + share
 
   KnotReader() = default;
-  explicit KnotReader(int nodes);              // the longest curve that may be read
-  KnotReading read(std::span<const Vec3> curve);   // [m]
+  explicit KnotReader(int nodes);              // the longest thread that may be read
+  KnotReading read(std::span<const Vec3> nodes);   // [m]
 
  private:
-  friend std::vector<Vec3> straightened(std::span<const Vec3> curve);   // [m]
-  void straighten(std::span<const Vec3> curve);   // [m]
-  int nodeAt(std::span<const Vec3> curve, double along) const;   // [m], [1]
-  bool project(std::span<const Vec3> curve, const Vec3& direction);   // [m], [1] false: more crossings than fit
+  friend std::vector<Vec3> straightened(std::span<const Vec3> nodes);   // [m]
+  void sampleCurve(std::span<const Vec3> nodes);   // [m]
+  void straighten(std::span<const Vec3> nodes);   // [m]
+  void drawIn();                               // moves corners of what is straightened
+  void lookFrom(std::span<const Vec3> nodes, int views, KnotReading& best, int& fewest);   // [m]
+  int nodeAt(std::span<const Vec3> nodes, double along) const;   // [m], [1]
+  bool project(std::span<const Vec3> nodes, const Vec3& direction);   // [m], [1] false: more crossings than fit
   KnotReading takeThrows();
 
   std::vector<Vec3> straight_, seen_;          // [m]

@@ -22,6 +22,7 @@ void check(const SimParams& p) {
   require(p.thread.linearDensity > 0.0, "thread.linear_density must be positive");
   require(p.thread.axialStiffness > 0.0, "thread.axial_stiffness must be positive");
   require(p.thread.bendingStiffness >= 0.0, "thread.bending_stiffness must not be negative");
+  require(p.thread.yieldMoment >= 0.0, "thread.yield_moment must not be negative");
   const double length = (p.thread.nodes - 1) * p.thread.segmentLength;   // [m]
   const bool fine = p.thread.fineSegment > 0.0;
   require(!fine || (p.thread.fineFrom >= 0.0 && p.thread.fineFrom < p.thread.fineTo && p.thread.fineTo <= length + 1e-9),
@@ -81,9 +82,10 @@ void layOutRegions(const ThreadParams& t, StrandModel& m) {
 }
 
 /// Energy of a discrete rod's curvature between unequal segments (Bergou et al. 2006).
-NodeBend bendBetween(double before, double after, double stiffness) {   // [m], [m], [N m^2]
+NodeBend bendBetween(double before, double after, const ThreadParams& t) {   // [m], [m]
   const double mean = 0.5 * (before + after);  // [m]
-  return {stiffness / (mean * mean * mean), {mean / before, -(mean / before + mean / after), mean / after}};
+  const double yield = t.bendingStiffness > 0.0 ? t.yieldMoment / t.bendingStiffness : 0.0;   // [1/m] curvature
+  return {t.bendingStiffness / (mean * mean * mean), {mean / before, -(mean / before + mean / after), mean / after}, yield * mean * mean};
 }
 
 void layOutNodes(const ThreadParams& t, StrandModel& m) {
@@ -93,7 +95,7 @@ void layOutNodes(const ThreadParams& t, StrandModel& m) {
   }
   for (int i = 0; i < m.nodes; ++i) m.place.push_back(coordinateAt(m, i, 0.0));
   for (double rest : m.rest) m.axialOf.push_back(t.axialStiffness / rest);
-  for (int i = 1; i + 1 < m.nodes; ++i) m.bend.push_back(bendBetween(m.rest[i - 1], m.rest[i], t.bendingStiffness));
+  for (int i = 1; i + 1 < m.nodes; ++i) m.bend.push_back(bendBetween(m.rest[i - 1], m.rest[i], t));
   m.mass.push_back(t.linearDensity * (0.5 * m.rest.front()));
   for (int i = 1; i + 1 < m.nodes; ++i) m.mass.push_back(t.linearDensity * (0.5 * (m.rest[i - 1] + m.rest[i])));
   m.mass.push_back(t.linearDensity * (0.5 * m.rest.back()));
@@ -108,6 +110,7 @@ StrandModel buildStrand(const SimParams& p) {
   m.segment = t.segmentLength;
   m.radius = t.radius;
   m.damping = t.damping;
+  m.takesSet = t.knots && t.yieldMoment > 0.0 && t.bendingStiffness > 0.0;
   layOutRegions(t, m);
   layOutNodes(t, m);
   m.needle = {p.needle.arcLength / p.needle.arcAngle, p.needle.arcAngle, p.needle.wireRadius};

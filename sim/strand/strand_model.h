@@ -22,6 +22,7 @@ struct StrandRegion {
 struct NodeBend {
   double stiffness = 0.0;                      // [N/m] EI / mean segment^3
   std::array<double, 3> weight{};              // [1]
+  double yield = 0.0;                          // [m] of w0 x0 + w1 x1 + w2 x2 at the yield moment; beyond, the thread takes a set
 };
 
 struct StrandModel {
@@ -34,6 +35,7 @@ struct StrandModel {
   std::vector<double> place;                   // [m] coordinate of each node
   std::vector<double> rest, axialOf;           // [m], [N/m] of each segment
   std::vector<NodeBend> bend;                  // of each node but the two ends, from node 1
+  bool takesSet = false;                       // it has a yield moment
   double damping = 0.0;                        // [1/s]
   std::vector<double> mass;                    // [kg] per node
   NeedleShape needle;

@@ -1,5 +1,6 @@
 #include "sim/strand/strand.h"
 #include "sim/strand/strand_trust.h"
+#include "sim/strand/thread_bending.h"
 
 #include <algorithm>
 
@@ -131,20 +132,10 @@ class Assembly {
     }
   }
 
-  /// Quadratic bending of an inextensible rod (Bergou et al. 2006): EI / (2 l^3) |x0 - 2 x1 + x2|^2, a constant matrix with a linear
-  /// moment for a straight thread, where the cosine form of paper 003 has none.
   void bending() {
-    for (int i = 0; i + 2 < model_.nodes; ++i) {
-      if (isCut(touch_, i) || isCut(touch_, i + 1)) continue;
-      const double kb = model_.bend[i].stiffness;   // [N/m]
-      const auto& c = model_.bend[i].weight;
-      const Vec3 curl = c[0] * work_.iterate[i] + c[1] * work_.iterate[i + 1] + c[2] * work_.iterate[i + 2];
-      for (int a = 0; a < 3; ++a) {
-        for (int b = a; b < 3; ++b)
-          for (int r = 0; r < 3; ++r) work_.matrix.add(3 * (i + a) + r, 3 * (i + b) + r, kb * c[a] * c[b]);
-        addForce(3 * (i + a), -kb * c[a] * curl);
-      }
-    }
+    BendingState state;
+    if (touch_) state = {touch_->state.set, touch_->state.cut};
+    assembleBending(model_, work_.iterate, state, work_.matrix, work_.rhs);
   }
 
   /// The crimp: last thread node on the needle's swage, and the thread leaving along the needle's tangent.
@@ -291,6 +282,7 @@ bool solveStrand(const StrandModel& m, double dt, const Vec3& gravity, StrandSta
     if (outcome == Outcome::kSingular) return false;
     if (touch && attempt < kMostAttempts && mustSlow(m, s, w, outcome == Outcome::kSettled, *touch)) continue;
     w.settled = outcome == Outcome::kSettled;
+    if (m.takesSet && touch) takeSet(m, s.position, w.iterate, touch->state.set);
     finish(m, dt, needle, s, w);
     if (touch) settleThreadContacts(s, *touch);
     return true;

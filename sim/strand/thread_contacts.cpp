@@ -166,6 +166,7 @@ void addCross(const TouchingPoint& c, const Mat3& stiffness, CoupledSolve& coupl
 ThreadContactState restContacts(const StrandModel& m) {
   ThreadContactState s;
   s.drag.assign(m.nodes, 0.0);
+  if (m.takesSet) s.set.assign(m.nodes - 2, Vec3::Zero());
   s.cut.assign(m.nodes - 1, 0);
   return s;
 }

@@ -20,9 +20,7 @@
 namespace halsted {
 
 struct ThreadContactParams {
-  // Thread on thread: physics.md D proposes 0.30 braided, 0.20 monofilament as a design value. Here a square knot locks only above about
-  // 0.32: at 0.30 it creeps out under load, as two throws of some braids do, and three throws hold.
-  double friction = 0.35;                      // [1]
+  double friction = 0.30;                      // [1] thread on thread, braided; 0.20 monofilament (physics.md D, design)
   double stiffness = 5e8;                      // [N/m^2] lateral modulus of a braid, about 0.5 GPa over the width (design)
   double breakingTension = 17.4;               // [N] USP knot-pull minimum, 3-0 absorbable synthetic (physics.md D)
 };
@@ -51,6 +49,7 @@ struct ThreadContactState {
   std::int32_t count = 0;
   std::int32_t dropped = 0;                    // contacts that found no room, ever
   std::vector<double> drag;                    // [1/s] per node, added to the thread's damping while it snaps (strand_trust.h)
+  std::vector<Vec3> set;                       // [m] per node but the two ends, empty where thread is elastic (thread_bending.h)
   std::vector<std::uint8_t> cut;               // [1] per segment: 1 where the thread has broken or was cut through
 };
 

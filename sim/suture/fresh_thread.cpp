@@ -90,6 +90,7 @@ void layFreshThread(const Model& m, State& s) {
   for (ToolState& t : s.tools) t.needleForce = t.threadForce = t.strandForce = Vec3::Zero();
   s.threadContacts.count = 0;
   std::fill(s.threadContacts.drag.begin(), s.threadContacts.drag.end(), 0.0);
+  std::fill(s.threadContacts.set.begin(), s.threadContacts.set.end(), Vec3::Zero());
   std::fill(s.threadContacts.cut.begin(), s.threadContacts.cut.end(), std::uint8_t{0});
   s.knot = KnotState{};
   s.knot.watched = true;

@@ -10,7 +10,7 @@
 namespace halsted {
 
 struct LacedWall : ThreadedWall {
-  explicit LacedWall(std::span<const int> halfTwists, double friction = 0.35) : LacedWall(curveOf(halfTwists), friction) {}   // [1]
+  explicit LacedWall(std::span<const int> halfTwists, double friction = ThreadContactParams{}.friction) : LacedWall(curveOf(halfTwists), friction) {}   // [1]
 
   /// Both hands draw their ends apart until they feel `newtons`, for so long; then they hold still.
   void drawTight(double newtons, double seconds) {   // [N], [s]
