@@ -153,9 +153,10 @@ void fetchTail(const Scene& s, std::string& failure) {
     if (s.inPhase < 0.3) return;
     e.knot.drawn = e.knot.felt = {};
     e.knot.settled = 0.0;
-    if (holdsTail(s)) { goTo(s, kThrough); return; }
-    if (++e.knot.misses > kAttempts) failure = "the tail was not taken";
-    goTo(s, kFollow);
+    const bool wound = loopOnJaws(s);
+    if (wound && holdsTail(s)) { goTo(s, kThrough); return; }
+    if (++e.knot.misses > kAttempts) failure = wound ? "the tail was not taken" : "the loop does not stay on the driver";
+    goTo(s, wound ? kFollow : kUnwind);
   }
 }
 
@@ -230,6 +231,7 @@ bool letTailGo(const Scene& s) {
 void nextThrow(const Scene& s) {
   if (!letTailGo(s)) return;
   ++s.memory.knot.current;
+  s.memory.knot.misses = 0;
   s.memory.knot.side = -s.memory.knot.side;
   goTo(s, kLiftLong);
 }

@@ -1,6 +1,5 @@
 #include "sim/strand/thread_bending.h"
 
-#include <cmath>
 
 namespace halsted {
 namespace {
