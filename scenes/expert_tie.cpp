@@ -153,10 +153,9 @@ void fetchTail(const Scene& s, std::string& failure) {
     if (s.inPhase < 0.3) return;
     e.knot.drawn = e.knot.felt = {};
     e.knot.settled = 0.0;
-    const bool wound = loopOnJaws(s);
-    if (wound && holdsTail(s)) { goTo(s, kThrough); return; }
-    if (++e.knot.misses > kAttempts) failure = wound ? "the tail was not taken" : "the loop does not stay on the driver";
-    goTo(s, wound ? kFollow : kUnwind);
+    if (holdsTail(s)) { goTo(s, kThrough); return; }
+    if (++e.knot.misses > kAttempts) failure = "the tail was not taken";
+    goTo(s, kFollow);
   }
 }
 

@@ -23,7 +23,7 @@ struct KnotPlan {
   Vec3 side = Vec3::UnitX();                   // [1] across the wound, from the stitch toward the strand of the long end below this throw
   double swept = 0.0;                          // [rad] of this throw's winding
   double given = 0.0;                          // [m] by which the winding hand has given way
-  int misses = 0;                              // of the tail, or of the loop that did not stay on the driver, in this throw
+  int misses = 0;                              // of the tail, or of a loop that clings, in this throw
   std::array<double, kHands> drawn{}, felt{};  // [m], [N]
   double settled = 0.0;                        // [s]
 };
