@@ -1,6 +1,5 @@
 #include "sim/strand/thread_bending.h"
 
-
 namespace halsted {
 namespace {
 

@@ -3,6 +3,7 @@
 /// thread, where the cosine form of paper 003 has none. Thread that knots is elasto-plastic: its moment is capped at `yield_moment`, and
 /// what it is bent beyond that it keeps (its set). A knot of purely elastic thread springs open and holds too little (physics.md B5;
 /// Johanns et al. 2023). A set turns with the thread and not about it: there is no torsion. Physics thread; no heap.
+#include <cstdint>
 #include <span>
 #include <vector>
 

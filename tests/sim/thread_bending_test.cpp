@@ -26,7 +26,7 @@ double curvatureOf(const std::vector<Vec3>& x) {
 }
 
 SimParams fineThread() { return knotThread(0.1e-3); }
-double yieldCurvature() { return fineThread().thread.yieldMoment / fineThread().thread.bendingStiffness; }   // [1/m] 1579
+double yieldCurvature() { return fineThread().thread.yieldMoment / fineThread().thread.bendingStiffness; }   // [1/m] 526
 
 /// As hands have bent it that now let go.
 struct Bent {
