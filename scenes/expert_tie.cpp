@@ -3,7 +3,9 @@
 /// the tissue. (Wound about a driver that stands upright, thread only twists like a rubber band, and comes undone.) The driver opens,
 /// takes the short tail, closes and draws it back through the loop; both ends are drawn apart, the long end toward the tail's side. The
 /// next throw is wound from there, the other way round for a square knot, so that the hands change sides with every throw.
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "scenes/stitch_frame.h"
 #include "scenes/tie_places.h"
@@ -18,24 +20,25 @@ constexpr double kBack = 30e-3;                // [m] along its shaft: where the
 constexpr double kWindSpeed = 3.0;             // [rad/s]
 constexpr double kMove = 0.08, kCareful = 0.03;   // [m/s]
 constexpr double kSnug = 0.03, kGive = 0.06;   // [N] more would draw the tail into the tissue: the winding hand gives way; [m/s]
-constexpr double kWider = 6e-3;                // [m] of thread that the opening jaws take up in a turn
+constexpr double kWider = 6e-3, kOpening = 0.4;   // [m] of thread that the opening jaws take up in a turn; [s]
 constexpr double kTaut = 0.5;                  // [N] at which a tail on its way up is drawn no farther
 constexpr double kTailShare = 0.85;            // [1] of its length: how far from the tissue the tail is drawn up through the loop
 constexpr double kAside = 10e-3, kLow = 6e-3;  // [m] from the stitch as the ends begin to be drawn; above it
 constexpr double kOff = 0.1, kFirm = 0.6;      // [N] felt when there is nothing more to come; with which a loop that clings is drawn off
 constexpr double kClings = 3.0;                // [s] after which it is wound again: it has come to lie between the jaws
 constexpr double kOver = 18e-3, kBeyond = 12e-3;   // [m] of the other hand above the stitch and past the tips meanwhile
-constexpr double kDraw = 0.03;                 // [m/s]
+constexpr double kDraw = 0.03, kDrawTaut = 5e-3;   // [m/s] of slack thread; of thread that it feels
 constexpr double kHoldTail = 0.15;             // [1] of that for the tail: it is to stay short
 constexpr double kReach = 0.09;                // [m] as far as an arm draws
 constexpr double kFeel = 0.5, kFeelTime = 0.05;   // [N], [s]
+constexpr double kLaySide = 0.5, kLayUp = 0.2; // [1] of the way toward the surgeon
 constexpr double kHoldTight = 0.3;             // [s]
 constexpr double kPatience = 12.0;             // [s] then it is as tight as it gets: over tissue that gives, two hands that feel each other see-saw
 constexpr int kAttempts = 4;
 
 enum Phase {
   kLook, kLiftIt, kHang, kFreeDriver = kHang + kHangingPhases, kFreeLong, kTakeLong, kTakeLongDown, kTakeLongClose,
-  kTurn, kLiftLong, kStand, kWind, kFollow, kOpen, kToTail, kClose, kThrough, kUnwind, kCross, kDrawTight, kLetTail
+  kTurn, kLiftLong, kStand, kWind, kFollow, kOpen, kToTail, kClose, kThrough, kUnwind, kCross, kDrawTight, kLayTail, kLetTail
 };
 
 void goTo(const Scene& s, int phase) {
@@ -99,7 +102,9 @@ void takeLongEnd(const Scene& s, std::string& failure) {
 
 /// A winding hand that feels its thread gives way.
 void giveWay(const Scene& s) {
-  if (s.state.tools[kLeft].threadForce.norm() > kSnug) s.memory.knot.given += kGive * s.dt;
+  KnotPlan& k = s.memory.knot;
+  feel(k.felt[kLeft], s.state.tools[kLeft].threadForce.norm(), s.dt, kFeelTime);
+  if (k.felt[kLeft] > kSnug) k.given += kGive * s.dt;
 }
 
 /// The winding hand stands on its side, then the driver comes over the stitch with closed jaws, then the thread goes round.
@@ -110,12 +115,14 @@ void wind(const Scene& s) {
     if (moveHand(s, kLeft, upright(s, kLeft), kMove)) goTo(s, kLiftLong);
   } else if (e.phase == kLiftLong) {
     k.swept = k.given = 0.0;
-    e.hand[kRight].jaw = 0.0;
+    k.felt = {};
+    e.hand[kRight].jaw = 1.0;
     const bool up = moveHand(s, kLeft, windingPose(s, driverPlace(s), 0.0), kMove);
     const bool ready = moveHand(s, kRight, driverPose(s, kBack), kMove);
     if (up && ready) goTo(s, kStand);
   } else if (e.phase == kStand) {
-    if (moveHand(s, kRight, driverPose(s, 0.0), kMove) && s.inPhase > 0.2) goTo(s, kWind);
+    e.hand[kRight].jaw = 0.0;
+    if (s.inPhase > 0.2 && moveHand(s, kRight, driverPose(s, 0.0), kMove)) goTo(s, kWind);
   } else if (e.phase == kWind) {
     giveWay(s);
     k.swept = std::fmin(wholeTurns(s), k.swept + kWindSpeed * s.dt);
@@ -130,21 +137,29 @@ void follow(const Scene& s) {
   moveHand(s, kLeft, windingPose(s, s.memory.hand[kRight].command.position, wholeTurns(s)), 0.15);
 }
 
-/// The driver, loop round its jaws, goes to the tail, opens, takes it.
+/// Turns of the thread about the driver, whichever way round.
+int turnsOnDriver(const Scene& s) { return std::abs(s.state.knot.toolTurns[kRight]); }
+
+/// The driver, loop round its jaws, goes to the tail, opens, takes it. A loop that has slid off on the way is wound again.
 void fetchTail(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   const Pose grip = tailGrip(s);
   if (e.phase == kFollow) {
     const bool there = moveHand(s, kRight, above(grip, 8e-3), kCareful);
     follow(s);
-    if (there || s.inPhase > 3.0) goTo(s, kOpen);
+    e.knot.onDriver = std::max(s.inPhase < 1.5 * s.dt && e.knot.misses == 0 ? 0 : e.knot.onDriver, turnsOnDriver(s));
+    if (!there && s.inPhase < 3.0) return;
+    if (e.knot.onDriver > 0 || ++e.knot.misses > kAttempts) goTo(s, kOpen);
+    else goTo(s, kLiftLong);
   } else if (e.phase == kOpen) {
-    e.hand[kRight].jaw = std::fmin(1.0, s.inPhase / 0.4);
-    if (s.inPhase < 0.4) e.knot.given += e.knot.throws[e.knot.current].turns * kWider / 0.4 * s.dt;
+    double& jaw = e.hand[kRight].jaw;
+    if (jaw < 1.0) e.knot.given += e.knot.throws[e.knot.current].turns * kWider / kOpening * s.dt;
+    jaw = std::fmin(1.0, jaw + s.dt / kOpening);
     follow(s);
     if (s.inPhase > 0.5) goTo(s, kToTail);
   } else if (e.phase == kToTail) {
-    const bool there = moveHand(s, kRight, {grip.position - 1e-3 * driverShaft(s), grip.orientation}, kCareful);
+    if (s.inPhase < 1.5 * s.dt) e.goal[kRight] = {grip.position - 1e-3 * (grip.orientation * Vec3::UnitZ()), grip.orientation};   // not after thread that gives way into soft tissue
+    const bool there = moveHand(s, kRight, e.goal[kRight], kCareful);
     follow(s);
     if (there || s.inPhase > 2.0) goTo(s, kClose);
   } else {
@@ -155,6 +170,7 @@ void fetchTail(const Scene& s, std::string& failure) {
     e.knot.settled = 0.0;
     if (holdsTail(s)) { goTo(s, kThrough); return; }
     if (++e.knot.misses > kAttempts) failure = "the tail was not taken";
+    e.hand[kRight].jaw = 1.0;                  // whatever it has taken instead
     goTo(s, kFollow);
   }
 }
@@ -167,8 +183,8 @@ void drawOffTips(const Scene& s) {
   k.settled = k.felt[kLeft] > kOff ? k.settled + s.dt : 0.0;
   if (pull < kFirm) {
     k.drawn[kLeft] += kCareful * s.dt;
-    const Vec3 from = stitch(s) + kOver * k.up - kBeyond * k.handle;
-    moveHand(s, kLeft, keepTurn(s, kLeft, from - k.drawn[kLeft] * k.handle), 2.0 * kCareful);
+    const Vec3 from = stitch(s) + kOver * k.up - kBeyond * k.handle, offTips = (k.up - k.handle).normalized();   // [m], [1]
+    moveHand(s, kLeft, keepTurn(s, kLeft, from + k.drawn[kLeft] * offTips), 2.0 * kCareful);
   }
   const bool on = loopOnJaws(s);
   if (on && k.settled > kClings && ++k.misses <= kAttempts) goTo(s, kUnwind);
@@ -209,13 +225,24 @@ bool drawTight(const Scene& s) {
     feel(k.felt[h], s.state.tools[h].threadForce.norm(), s.dt, kFeelTime);
     const double lack = (s.action.tension - k.felt[h]) / kFeel;   // [1]
     const double pace = std::fmax(-1.0, std::fmin(h == kRight ? kHoldTail : 1.0, lack));   // [1]
-    k.drawn[h] = std::fmin(kReach, std::fmax(0.0, k.drawn[h] + pace * kDraw * s.dt));
+    k.drawn[h] = std::fmin(kReach, std::fmax(0.0, k.drawn[h] + pace * (k.felt[h] > kOff ? kDrawTaut : kDraw) * s.dt));
     tight = tight && (lack < 0.2 || k.drawn[h] >= kReach);
     const Vec3 way = (h == kLeft ? -1.0 : 1.0) * k.side;
     moveHand(s, h, {e.goal[h].position + k.drawn[h] * way, e.goal[h].orientation}, 0.1);
   }
   k.settled = tight ? k.settled + s.dt : 0.0;
   return k.settled > kHoldTight || s.inPhase > kPatience;
+}
+
+/// The tail is laid toward the surgeon, away from the thread between the knot and the holes, or the jaws would take that for it.
+bool layTail(const Scene& s) {
+  ExpertState& e = s.memory;
+  const Vec3 from = stitch(s);
+  if (s.inPhase < 1.5 * s.dt) {
+    const double far = (e.hand[kRight].command.position - from).norm();   // [m]
+    e.goal[kRight] = keepTurn(s, kRight, from + far * (kLaySide * e.knot.side + e.knot.handle + kLayUp * e.knot.up).normalized());
+  }
+  return moveHand(s, kRight, e.goal[kRight], kCareful);
 }
 
 /// The driver lets the tail go and rises.
@@ -247,10 +274,11 @@ bool runTie(const Scene& s, std::string& failure) {
   else if (e.phase <= kClose) fetchTail(s, failure);
   else if (e.phase == kUnwind) { if (letTailGo(s)) goTo(s, kLiftLong); }
   else if (e.phase <= kCross) drawThrough(s);
+  else if (e.phase == kLayTail) { if (layTail(s)) goTo(s, kLetTail); }
   else if (e.phase == kLetTail) nextThrow(s);
   else if (drawTight(s)) {
     if (e.knot.current + 1 == e.knot.throws.size()) return true;
-    goTo(s, kLetTail);
+    goTo(s, kLayTail);
   }
   return false;
 }

@@ -12,6 +12,7 @@ namespace halsted::scenes {
 namespace {
 
 constexpr double kRise = 0.35;                 // [1] of the driver's shaft over the level way to its handle
+constexpr double kTailRise = 0.7;              // [1] as it takes the tail: flatter, and the lower jaw would dig into the tissue on which that lies
 constexpr double kWindRise = -kRise, kLeftRise = 0.7;   // [1] of the other hand's: along the driver's while it winds, or its shaft would pass through the jaws
 constexpr double kUpJaws = 12e-3;              // [m] above the tips: where the thread goes round; what the jaws grip lies lower
 constexpr double kSlant = 0.05;                // [1] of the thread toward the tips: turns lie side by side; more, and the first slides off
@@ -81,7 +82,7 @@ double longPlace(const Scene& s) {             // [m]
 }
 bool holdsLong(const Scene& s) {
   const double c = s.state.tools[kLeft].threadCoordinate;   // [m]
-  return c > longHole(s).coordinate + 0.6 * longEnd(s) && c < longHole(s).coordinate + 1.5 * longEnd(s);
+  return c > longHole(s).coordinate + 0.6 * longEnd(s) && c < longHole(s).coordinate + 1.2 * longEnd(s);
 }
 bool driverHoldsLong(const Scene& s) { return s.state.tools[kRight].threadCoordinate > longHole(s).coordinate; }
 bool holdsTail(const Scene& s) {
@@ -93,7 +94,8 @@ bool holdsTail(const Scene& s) {
 Pose windingPose(const Scene& s, const Vec3& driver, double swept) {   // [m], [rad]
   const KnotPlan& k = s.memory.knot;
   const Vec3 out = cosine(swept) * k.side + sine(swept) * k.throws[k.current].over * upward(s);
-  const Vec3 loop = driver + kUpJaws * driverShaft(s);
+  const Vec3 shaft = s.memory.hand[kRight].command.orientation * Vec3::UnitZ();   // [1]
+  const Vec3 loop = driver + kUpJaws * shaft;
   const double length = longLength(s) - k.given;   // [m]
   const Vec3 from = loop - holePoint(s.model, longHole(s), s.state.tissue.position);
   double free = length - from.norm() - kLoop * (swept - 0.5 * kPi);      // [m] beyond the jaws
@@ -102,7 +104,7 @@ Pose windingPose(const Scene& s, const Vec3& driver, double swept) {   // [m], [
     free = rest > 0.0 ? std::sqrt(rest) - b : kNearest;
   }
   const double distance = std::fmin(kFarthest, std::fmax(kNearest, free));   // [m]
-  return laid(s, kLeft, loop + distance * (out - kSlant * driverShaft(s)), {leftShaft(s, swept < wholeTurns(s) ? kWindRise : kLeftRise), k.side});
+  return laid(s, kLeft, loop + distance * (out - kSlant * shaft), {leftShaft(s, swept < wholeTurns(s) ? kWindRise : kLeftRise), k.side});
 }
 
 double wholeTurns(const Scene& s) { return 2.0 * kPi * s.memory.knot.throws[s.memory.knot.current].turns; }   // [rad]
@@ -125,7 +127,8 @@ bool loopOnJaws(const Scene& s) {
 /// Grip on the tail from the driver's side.
 Pose tailGrip(const Scene& s) {
   const StrandState& x = strand(s);
-  return laid(s, kRight, strandPoint(s.model.strand, x, tailPlace(s)), {driverShaft(s), strandTangent(s.model.strand, x, tailPlace(s))});
+  const Vec3 shaft = (s.memory.knot.handle + kTailRise * s.memory.knot.up).normalized();   // [1]
+  return laid(s, kRight, strandPoint(s.model.strand, x, tailPlace(s)), {shaft, strandTangent(s.model.strand, x, tailPlace(s))});
 }
 
 }  // namespace halsted::scenes
