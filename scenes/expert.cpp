@@ -100,6 +100,12 @@ std::string readTie(const toml::node& node, const std::string& where) {
   return text;
 }
 
+ThreadAssist readAssist(const toml::node& node, const std::string& where) {
+  const std::string text = requireText(node, where);
+  if (text != "none" && text != "knot") throw InputError(where + ": must be \"none\" or \"knot\"");
+  return text == "knot" ? ThreadAssist::kKnot : ThreadAssist::kNone;
+}
+
 ExpertAction readAction(const toml::table& table, const std::string& origin) {
   ExpertAction action;
   action.line = static_cast<int>(table.source().begin.line);
@@ -116,6 +122,7 @@ ExpertAction readAction(const toml::table& table, const std::string& origin) {
     else if (!needle && key == "counter_clockwise") action.counterClockwise = readTruth(node, where);
     else if (!needle && key == "across") action.across = readTruth(node, where);
     else if (!needle && key == "through") action.through = readTruth(node, where);
+    else if (!needle && key == "assist") action.assist = readAssist(node, where);
     else if (!needle && key == "tie") action.tie = readTie(node, where);
     else readNumber(node, where, key, action);
   }

@@ -27,6 +27,12 @@ bool runAction(const Scene& scene, std::string& failure) {
   return runNeedling(scene, failure);
 }
 
+/// Goes past what is not done at this level of assistance; it takes no time.
+void skipOtherLevels(const ExpertScript& script, const Model& model, ExpertState& e) {
+  const auto other = [&](const ExpertAction& a) { return a.assist && *a.assist != model.params.thread.assist; };
+  while (e.action < script.actions.size() && other(script.actions[e.action])) ++e.action;
+}
+
 void begin(const State& state, ExpertState& e) {
   for (int h = 0; h < kHands; ++h) {
     e.hand[h].command = state.tools[h].device;
@@ -120,6 +126,7 @@ bool pickUp(const Scene& s, int hand, const Pose& grip, int first) {
 bool advanceExpert(const ExpertScript& script, const Model& model, const State& state, ExpertState& e,
                    std::array<HandTarget, kHands>& targets, std::string& failure) {
   if (!e.started) begin(state, e);
+  skipOtherLevels(script, model, e);
   if (e.action < script.actions.size()) {
     const ExpertAction& action = script.actions[e.action];
     const double dt = model.params.dt;

@@ -3,9 +3,7 @@
 /// the tissue. (Wound about a driver that stands upright, thread only twists like a rubber band, and comes undone.) The driver opens,
 /// takes the short tail, closes and draws it back through the loop; both ends are drawn apart, the long end toward the tail's side. The
 /// next throw is wound from there, the other way round for a square knot, so that the hands change sides with every throw.
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "scenes/stitch_frame.h"
 #include "scenes/tie_places.h"
@@ -25,6 +23,7 @@ constexpr double kTaut = 0.5;                  // [N] at which a tail on its way
 constexpr double kTailShare = 0.85;            // [1] of its length: how far from the tissue the tail is drawn up through the loop
 constexpr double kAside = 10e-3, kLow = 6e-3;  // [m] from the stitch as the ends begin to be drawn; above it
 constexpr double kOff = 0.1, kFirm = 0.6;      // [N] felt when there is nothing more to come; with which a loop that clings is drawn off
+constexpr double kLost = 0.6;                  // [1] of a turn less than planned: the loop has slid off
 constexpr double kClings = 3.0;                // [s] after which it is wound again: it has come to lie between the jaws
 constexpr double kOver = 18e-3, kBeyond = 12e-3;   // [m] of the other hand above the stitch and past the tips meanwhile
 constexpr double kDraw = 0.03, kDrawTaut = 5e-3;   // [m/s] of slack thread; of thread that it feels
@@ -137,8 +136,15 @@ void follow(const Scene& s) {
   moveHand(s, kLeft, windingPose(s, s.memory.hand[kRight].command.position, wholeTurns(s)), 0.15);
 }
 
-/// Turns of the thread about the driver, whichever way round.
-int turnsOnDriver(const Scene& s) { return std::abs(s.state.knot.toolTurns[kRight]); }
+/// Is the loop still on the driver? A turn lacks up to a quarter, as it is begun and ended beside the jaws.
+bool loopLost(const Scene& s) { return woundRoundDriver(s) < s.memory.knot.throws[s.memory.knot.current].turns - kLost; }
+
+/// Winds again, while there is patience; true when it does.
+bool windAgain(const Scene& s) {
+  if (!loopLost(s) || ++s.memory.knot.misses > kAttempts) return false;
+  goTo(s, kLiftLong);
+  return true;
+}
 
 /// The driver, loop round its jaws, goes to the tail, opens, takes it. A loop that has slid off on the way is wound again.
 void fetchTail(const Scene& s, std::string& failure) {
@@ -147,10 +153,7 @@ void fetchTail(const Scene& s, std::string& failure) {
   if (e.phase == kFollow) {
     const bool there = moveHand(s, kRight, above(grip, 8e-3), kCareful);
     follow(s);
-    e.knot.onDriver = std::max(s.inPhase < 1.5 * s.dt && e.knot.misses == 0 ? 0 : e.knot.onDriver, turnsOnDriver(s));
-    if (!there && s.inPhase < 3.0) return;
-    if (e.knot.onDriver > 0 || ++e.knot.misses > kAttempts) goTo(s, kOpen);
-    else goTo(s, kLiftLong);
+    if ((there || s.inPhase > 3.0) && !windAgain(s)) goTo(s, kOpen);
   } else if (e.phase == kOpen) {
     double& jaw = e.hand[kRight].jaw;
     if (jaw < 1.0) e.knot.given += e.knot.throws[e.knot.current].turns * kWider / kOpening * s.dt;
@@ -161,7 +164,7 @@ void fetchTail(const Scene& s, std::string& failure) {
     if (s.inPhase < 1.5 * s.dt) e.goal[kRight] = {grip.position - 1e-3 * (grip.orientation * Vec3::UnitZ()), grip.orientation};   // not after thread that gives way into soft tissue
     const bool there = moveHand(s, kRight, e.goal[kRight], kCareful);
     follow(s);
-    if (there || s.inPhase > 2.0) goTo(s, kClose);
+    if ((there || s.inPhase > 2.0) && !windAgain(s)) goTo(s, kClose);
   } else {
     e.hand[kRight].jaw = std::fmax(0.0, 1.0 - s.inPhase / 0.2);
     follow(s);

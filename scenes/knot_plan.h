@@ -24,7 +24,6 @@ struct KnotPlan {
   double swept = 0.0;                          // [rad] of this throw's winding
   double given = 0.0;                          // [m] by which the winding hand has given way
   int misses = 0;                              // of the tail, or of a loop that clings or slides off, in this throw
-  int onDriver = 0;                            // turns of the thread seen about the driver on its way to the tail
   std::array<double, kHands> drawn{}, felt{};  // [m], [N]
   double settled = 0.0;                        // [s]
 };

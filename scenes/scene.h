@@ -30,7 +30,7 @@ struct SceneFile {
   std::vector<std::string> overrides;          // "key=value" as given, kept for the session record
 };
 
-/// `overrides` are "key=value" with the dotted TOML keys; unknown keys, wrong types and out-of-range values throw InputError.
+/// `overrides` are "key=value" with the dotted TOML keys, or "preset=NAME" for the settings that the scene keeps under that name; unknown keys, wrong types and out-of-range values throw InputError.
 SceneFile readScene(const std::string& folder, const std::vector<std::string>& overrides);
 /// Whose word a path in an override is: typed by the user, or read from a file (then it stays inside the folder or HALSTED_DATA).
 enum class PathTrust { kUser, kFile };

@@ -78,12 +78,28 @@ void applyFile(const toml::table& root, const std::string& origin, SceneFile& sc
   }
 }
 
+/// The settings of a preset, named once each.
+const std::vector<std::string>& presetOf(const SceneFile& scene, const std::string& name, const std::string& where) {
+  const auto found = scene.presets.find(name);
+  if (found != scene.presets.end()) return found->second;
+  std::string known;
+  for (const auto& [other, settings] : scene.presets) known += (known.empty() ? "" : ", ") + other;
+  throw InputError(where + ": this scene has no such preset; it has " + (known.empty() ? "none" : known));
+}
+
 void applyOverride(const std::string& text, PathTrust trust, SceneFile& scene, SettingOrigins& origins) {
   const std::string where = "--set " + quoted(text);
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) throw InputError(where + ": must be key=value");
   const std::vector<SceneField> fields = sceneFields(scene);
   const std::string key = text.substr(0, equals);
+  if (key == "preset") {
+    for (const std::string& setting : presetOf(scene, text.substr(equals + 1), where)) {
+      if (setting.rfind("preset", 0) == 0) throw InputError(where + ": a preset holds settings, not other presets");
+      applyOverride(setting, PathTrust::kFile, scene, origins);
+    }
+    return;
+  }
   const SceneField* field = find(fields, key);
   if (!field) throw InputError(where + ": " + unknown(fields, key));
   origins[key] = where;

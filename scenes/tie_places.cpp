@@ -124,6 +124,24 @@ bool loopOnJaws(const Scene& s) {
   return false;
 }
 
+double woundRoundDriver(const Scene& s) {
+  double turned = 0.0;                         // [rad]
+  const Pose& driver = s.state.tools[kRight].proxy;
+  Vec3 p = driver.inverseApply(strandPoint(s.model.strand, strand(s), longHole(s).coordinate));   // [m] in the tool frame
+  for (int i = threadSpot(s.model.strand, longHole(s).coordinate).node + 1; i < s.model.strand.nodes; ++i) {
+    if (s.model.strand.place[i] > s.state.tools[kLeft].threadCoordinate) break;
+    const Vec3 q = driver.inverseApply(strand(s).position[i]);
+    if (std::fmin(p.z(), q.z()) > 0.0 && std::fmax(p.z(), q.z()) < kJaws) {
+      const double cross = p.x() * q.y() - p.y() * q.x(), dot = p.x() * q.x() + p.y() * q.y();   // [m^2]
+      const double length = std::sqrt(cross * cross + dot * dot);
+      const double angle = length > 0.0 ? arcSine(cross / length) : 0.0;
+      turned += dot >= 0.0 ? angle : (angle < 0.0 ? -kPi : kPi) - angle;
+    }
+    p = q;
+  }
+  return std::fabs(turned) / (2.0 * kPi);
+}
+
 /// Grip on the tail from the driver's side.
 Pose tailGrip(const Scene& s) {
   const StrandState& x = strand(s);

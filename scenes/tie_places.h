@@ -35,6 +35,9 @@ bool driverHoldsLong(const Scene&);
 bool holdsTail(const Scene&);
 /// Does the long end still lie about the driver, on the side of its tips?
 bool loopOnJaws(const Scene&);
+/// How often the long end goes round the driver's jaws, tips to hinge and beyond, as far as the hand that winds it; a quarter when it only
+/// passes by.  [1]
+double woundRoundDriver(const Scene&);
 /// Grip on the tail from the driver's side.
 Pose tailGrip(const Scene&);
 

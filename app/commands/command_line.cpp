@@ -43,9 +43,17 @@ void parseSize(const std::string& text, int& width, int& height) {
   height = h;
 }
 
+/// After --set, so that a setting of one's own wins over the preset's.
+void addPreset(CLI::App& command, std::vector<std::string>& overrides) {
+  command.add_option_function<std::string>(
+      "--preset", [&overrides](const std::string& name) { overrides.insert(overrides.begin(), "preset=" + name); },
+      "settings that the scene keeps under this name: friction (knots that hold by friction, where the scene is sewn so) or paper");
+}
+
 void addPlayOptions(CLI::App& command, PlayOptions& play) {
   command.add_option("FILE", play.file, "an expert script (.toml) or a recorded session (.halsted)")->required();
   command.add_option("--set", play.overrides, "key=value: override a parameter of the scene; may be repeated")->allow_extra_args(false);
+  addPreset(command, play.overrides);
   command.add_flag("--verify", play.verify, "check the hash of every state against the recording; exit code 1 when one differs");
   command.add_option("--record", play.record, "write a session file");
   command.add_option("--report", play.report, "write an HTML report: procedure, metrics, forces");
@@ -79,6 +87,7 @@ void addTrain(CLI::App& app, CommandLine& line) {
   command->add_option("--right", train.right, "device of the right hand (default: the first device attached, else mouse, or virtual with --headless)");
   command->add_option("--firmware", train.firmware, "firmware file for a Falcon that has none (or HALSTED_FALCON_FIRMWARE)");
   command->add_option("--set", train.overrides, "key=value: override a parameter of the scene; may be repeated")->allow_extra_args(false);
+  addPreset(*command, train.overrides);
   command->add_option("--trainee", train.trainee, "name kept in the recording");
   command->add_option("--record", train.record, "write a session file");
   command->add_flag("--headless", train.headless, "the same threads without a window");
@@ -108,7 +117,8 @@ void addBench(CLI::App& app, CommandLine& line) {
   CLI::App* command = app.add_subcommand("bench", "what a physics step and a frame cost here, beside the published figures");
   command->add_option("--scene", line.bench.scene, "one scene only");
   command->add_option("--steps", line.bench.steps, "steps to measure")->capture_default_str()->check(CLI::Range(1, 100'000'000));
-  command->add_option("--preset", line.bench.preset, "default, or paper where the scene has it; both when not given")->check(CLI::IsMember({"default", "paper"}));
+  command->add_option("--preset", line.bench.preset, "default, or paper or friction where the scene has it; all when not given")
+      ->check(CLI::IsMember({"default", "paper", "friction"}));
   CLI::Option* stress = command->add_option("--stress", line.bench.stress, "stitch after stitch to fifty: what a step costs, as in the paper's figures 20 to 23")
                             ->check(CLI::IsMember({"two-bodies", "one-body"}))->excludes("--scene", "--preset");
   command->add_option("--plot", line.bench.plot, "SVG file for the curve (default: stress-<series>.svg)")->needs(stress);

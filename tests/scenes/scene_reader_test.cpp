@@ -117,6 +117,20 @@ TEST(SceneReader, LetsOverridesWinOverTheFileAndLaterOnesOverEarlier) {
   EXPECT_EQ(scene.overrides.size(), 3u);
 }
 
+TEST(SceneReader, AppliesThePresetThatAnOverrideNamesWhereItStands) {
+  const std::string text = "[thread]\nnodes = 60\n[preset]\nfine = [\"thread.nodes=90\", \"anatomy.gap=2e-3\"]\nnested = [\"preset=fine\"]\nwrong = [\"thread.colour=1\"]\n";
+  EXPECT_EQ(withTitle(text).params.thread.nodes, 60);            // a preset that nobody names changes nothing
+  const SceneFile fine = withTitle(text, {"preset=fine"});
+  EXPECT_EQ(fine.params.thread.nodes, 90);
+  EXPECT_DOUBLE_EQ(fine.params.anatomy.gap, 2e-3);
+  EXPECT_EQ(fine.overrides, std::vector<std::string>{"preset=fine"});
+  EXPECT_EQ(withTitle(text, {"preset=fine", "thread.nodes=70"}).params.thread.nodes, 70);
+  EXPECT_EQ(withTitle(text, {"thread.nodes=70", "preset=fine"}).params.thread.nodes, 90);
+  expectRefused([&] { withTitle(text, {"preset=coarse"}); }, {"--set preset=coarse", "fine, nested, wrong"});
+  expectRefused([&] { withTitle(text, {"preset=nested"}); }, {"--set preset=nested", "not other presets"});
+  expectRefused([&] { withTitle(text, {"preset=wrong"}); }, {"thread.colour"});
+}
+
 TEST(SceneReader, LetsExplicitKeysWinOverTheMaterial) {
   const SceneFile scene = withTitle("[tissue]\ndensity = 999\nmaterial = \"rectosigmoid\"");
   EXPECT_DOUBLE_EQ(scene.params.tissue.youngsModulus, 5.18e6);

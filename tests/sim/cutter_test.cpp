@@ -1,6 +1,7 @@
 /// The blades of the needle driver.
 #include <gtest/gtest.h>
 
+#include "sim/tools/cutter.h"
 #include "tests/sim/step_rig.h"
 
 namespace halsted {
@@ -43,6 +44,22 @@ TEST(Cutter, GripsThreadAtTheTipsAsOtherJawsDo) {
   rig.step();
   EXPECT_EQ(rig.state.knot.cuts, 0);
   EXPECT_GE(rig.state.tools[kLeft].threadCoordinate, 0.0);
+}
+
+/// The blades are called while the jaws are still a third open; beside the middle line of a jaw thread is pressed against its outside.
+TEST(Cutter, LeavesThreadAloneThatRunsRoundTheOutsideOfAJaw) {
+  const auto cutsAt = [](double aside) {       // [m] of the thread from the middle between the jaws
+    StepRig rig(withBlades(true), kNeedleAway);
+    ToolState& tool = rig.state.tools[kLeft];
+    tool.proxy = across(rig.state, 9.5e-3);
+    tool.proxy.position -= aside * (tool.proxy.orientation * Vec3::UnitX());
+    tool.jaw = 0.3;
+    return cutThread(rig.model, kLeft, rig.state, rig.out);
+  };
+  EXPECT_TRUE(cutsAt(0.5e-3));
+  EXPECT_TRUE(cutsAt(-0.5e-3));
+  EXPECT_FALSE(cutsAt(2.2e-3));
+  EXPECT_FALSE(cutsAt(-2.2e-3));
 }
 
 TEST(Cutter, IsNotThereUnlessTheToolHasBlades) {

@@ -64,6 +64,8 @@ TEST(CommandLine, UnknownNamesAreNamed) {
   expectRefused({"replay", expertPath(), "--set", "tissue.colour=3"}, "tissue.colour");
   expectRefused({"replay", expertPath(), "--set", "tissue.poisson_ratio=2"}, "tissue.poisson_ratio");
   expectRefused({"replay", expertPath(), "--set", "novalue"}, "novalue");
+  expectRefused({"replay", expertPath(), "--preset", "fast"}, "no such preset; it has paper");
+  expectRefused({"train", "purse_string", "--headless", "--preset", "fast"}, "no such preset; it has paper");
   expectRefused({"replay", expertPath(), "--verify"}, "--verify");
   expectRefused({"bench", "--scene", "appendix"}, "appendix");
   expectRefused({"capture", expertPath()}, "--out");
