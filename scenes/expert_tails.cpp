@@ -137,7 +137,8 @@ bool runDraw(const Scene& s, std::string& failure) {
     const double pace = s.state.cut ? std::fmax(0.0, 1.0 - e.felt[kRight] / kMostPull) : 1.0;   // [1] over cut edges thread catches
     e.drawn[kRight] += pace * kDrawSpeed * s.dt;
     moveHand(s, kRight, {e.goal[kRight].position + e.drawn[kRight] * kDrawWay, e.goal[kRight].orientation}, 0.1);
-    if (e.drawn[kRight] > kDrawReach) e.phase = 0;
+    const bool against = !s.state.cut && e.felt[kRight] > kMostPull;   // the hand that keeps the needle: the thread between them is out
+    if (e.drawn[kRight] > kDrawReach || against) e.phase = 0;
   }
   return false;
 }

@@ -121,6 +121,7 @@ void wind(const Scene& s) {
     if (up && ready) goTo(s, kStand);
   } else if (e.phase == kStand) {
     e.hand[kRight].jaw = 0.0;
+    if (s.inPhase > 0.2 && s.state.tools[kRight].threadCoordinate >= 0.0 && ++k.misses <= kAttempts) { goTo(s, kUnwind); return; }
     if (s.inPhase > 0.2 && moveHand(s, kRight, driverPose(s, 0.0), kMove)) goTo(s, kWind);
   } else if (e.phase == kWind) {
     giveWay(s);
@@ -142,7 +143,7 @@ bool loopLost(const Scene& s) { return woundRoundDriver(s) < s.memory.knot.throw
 /// Winds again, while there is patience; true when it does.
 bool windAgain(const Scene& s) {
   if (!loopLost(s) || ++s.memory.knot.misses > kAttempts) return false;
-  goTo(s, kLiftLong);
+  goTo(s, kUnwind);                            // back along its shaft, so that what lies between the jaws stays behind
   return true;
 }
 
