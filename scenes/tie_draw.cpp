@@ -1,0 +1,98 @@
+/// Throws of an instrument tie: the tail is drawn through the loop, then both ends are drawn apart.
+#include <cmath>
+
+#include "scenes/tie_phases.h"
+#include "scenes/tie_places.h"
+#include "sim/strand/strand.h"
+#include "sim/suture/holes.h"
+
+namespace halsted::scenes {
+namespace {
+
+constexpr double kTaut = 0.5;                  // [N] at which a tail on its way up is drawn no farther
+constexpr double kTailShare = 0.85;            // [1] of its length: how far from the tissue the tail is drawn up through the loop
+constexpr double kAside = 10e-3, kLow = 6e-3;  // [m] from the stitch as the ends begin to be drawn; above it
+constexpr double kOff = 0.1, kFirm = 0.6;      // [N] felt when there is nothing more to come; with which a loop that clings is drawn off
+constexpr double kClings = 3.0;                // [s] after which it is wound again: it has come to lie between the jaws
+constexpr double kOver = 18e-3, kBeyond = 12e-3;   // [m] of the other hand above the stitch and past the tips meanwhile
+constexpr double kDraw = 0.03, kDrawTaut = 5e-3;   // [m/s] of slack thread; of thread that it feels
+constexpr double kHoldTail = 0.15;             // [1] of that for the tail: it is to stay short
+constexpr double kReach = 0.09;                // [m] as far as an arm draws
+constexpr double kFeel = 0.5;                  // [N]
+constexpr double kLaySide = 0.5, kLayUp = 0.2; // [1] of the way toward the surgeon
+constexpr double kHoldTight = 0.3;             // [s]
+constexpr double kPatience = 12.0;             // [s] then it is as tight as it gets: over tissue that gives, two hands that feel each other see-saw
+
+/// The other hand draws the loop off the driver's tips, on to the tail: until it is off and there is nothing more to come.
+void drawOffTips(const Scene& s) {
+  KnotPlan& k = s.memory.knot;
+  const double pull = s.state.tools[kLeft].threadForce.norm();   // [N]
+  feel(k.felt[kLeft], pull, s.dt, kFeelTime);
+  k.settled = k.felt[kLeft] > kOff ? k.settled + s.dt : 0.0;
+  if (pull < kFirm) {
+    k.drawn[kLeft] += kCareful * s.dt;
+    const Vec3 from = stitch(s) + kOver * k.up - kBeyond * k.handle, offTips = (k.up - k.handle).normalized();   // [m], [1]
+    moveHand(s, kLeft, keepTurn(s, kLeft, from + k.drawn[kLeft] * offTips), 2.0 * kCareful);
+  }
+  const bool on = loopOnJaws(s);
+  if (on && k.settled > kClings && ++k.misses <= kAttempts) goTo(s, kUnwind);
+  else if ((k.felt[kLeft] > kOff && (!on || k.settled > kClings)) || k.drawn[kLeft] > kReach) goTo(s, kCross);
+}
+
+}  // namespace
+
+/// The tail comes through the loop, then the hands go to their sides.
+void drawThrough(const Scene& s) {
+  ExpertState& e = s.memory;
+  const KnotPlan& k = e.knot;
+  const Vec3 p = stitch(s);
+  if (e.phase == kThrough) {
+    const Vec3 from = holePoint(s.model, tailHole(s), s.state.tissue.position);
+    const ToolState& driver = s.state.tools[kRight];
+    const double reach = kTailShare * (tailHole(s).coordinate - driver.threadCoordinate - kPerThrow * k.current);   // [m]
+    const Vec3 back = from + reach * (k.handle + k.up).normalized();
+    const bool taut = driver.threadForce.norm() > kTaut || s.state.tools[kLeft].threadForce.norm() > kFirm;
+    const bool drawn = taut || moveHand(s, kRight, keepTurn(s, kRight, back), kCareful);
+    if (!drawn) { moveHand(s, kLeft, keepTurn(s, kLeft, p + kOver * k.up - kBeyond * k.handle), kCareful); return; }
+    drawOffTips(s);
+  } else {
+    const bool right = moveHand(s, kRight, keepTurn(s, kRight, p + kAside * k.side + kLow * k.up), kCareful);
+    const bool left = moveHand(s, kLeft, keepTurn(s, kLeft, p - 2.0 * kAside * k.side + kLow * k.up), kMove);
+    if (!right || !left) return;
+    for (int h = 0; h < kHands; ++h) e.goal[h] = e.hand[h].command;
+    e.knot.drawn = e.knot.felt = {};
+    e.knot.settled = 0.0;
+    goTo(s, kDrawTight);
+  }
+}
+
+/// Each hand draws its end until it feels the tension; true once both have held it for a moment.
+bool drawTight(const Scene& s) {
+  ExpertState& e = s.memory;
+  KnotPlan& k = e.knot;
+  bool tight = true;
+  for (int h = 0; h < kHands; ++h) {
+    feel(k.felt[h], s.state.tools[h].threadForce.norm(), s.dt, kFeelTime);
+    const double lack = (s.action.tension - k.felt[h]) / kFeel;   // [1]
+    const double pace = std::fmax(-1.0, std::fmin(h == kRight ? kHoldTail : 1.0, lack));   // [1]
+    k.drawn[h] = std::fmin(kReach, std::fmax(0.0, k.drawn[h] + pace * (k.felt[h] > kOff ? kDrawTaut : kDraw) * s.dt));
+    tight = tight && (lack < 0.2 || k.drawn[h] >= kReach);
+    const Vec3 way = (h == kLeft ? -1.0 : 1.0) * k.side;
+    moveHand(s, h, {e.goal[h].position + k.drawn[h] * way, e.goal[h].orientation}, 0.1);
+  }
+  k.settled = tight ? k.settled + s.dt : 0.0;
+  return k.settled > kHoldTight || s.inPhase > kPatience;
+}
+
+/// The tail is laid toward the surgeon, away from the thread between the knot and the holes, or the jaws would take that for it.
+bool layTail(const Scene& s) {
+  ExpertState& e = s.memory;
+  const Vec3 from = stitch(s);
+  if (s.inPhase < 1.5 * s.dt) {
+    const double far = (e.hand[kRight].command.position - from).norm();   // [m]
+    e.goal[kRight] = keepTurn(s, kRight, from + far * (kLaySide * e.knot.side + e.knot.handle + kLayUp * e.knot.up).normalized());
+  }
+  return moveHand(s, kRight, e.goal[kRight], kCareful);
+}
+
+}  // namespace halsted::scenes

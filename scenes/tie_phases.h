@@ -1,0 +1,34 @@
+#pragma once
+/// The phases of an instrument tie (scenes/expert_tie.cpp), in the order in which they follow each other. Private to scenes/.
+#include "scenes/expert_state.h"
+
+namespace halsted::scenes {
+
+enum TiePhase {
+  kLook, kLiftIt, kHang, kFreeDriver = kHang + kHangingPhases, kFreeLong, kTakeLong, kTakeLongDown, kTakeLongClose,
+  kTurn, kLiftLong, kStand, kWind, kFollow, kOpen, kToTail, kClose, kThrough, kUnwind, kCross, kDrawTight, kLayTail, kLetTail
+};
+
+inline constexpr double kMove = 0.08, kCareful = 0.03;   // [m/s] of a hand through the air; near thread
+inline constexpr double kFeelTime = 0.05;      // [s] over which a hand feels a force
+inline constexpr int kAttempts = 4;            // at each throw
+
+/// Begins a phase.
+void goTo(const Scene&, int phase);
+
+/// The long end comes into the winding hand: from the driver that holds it (to kHang + kHangingPhases), or from where it lies.
+void handOver(const Scene&);
+void takeLongEnd(const Scene&, std::string& failure);
+/// It is wound round the driver, which then goes for the tail with the loop on its jaws.
+void wind(const Scene&);
+void fetchTail(const Scene&, std::string& failure);
+/// The tail is drawn through the loop and the hands go to their sides.
+void drawThrough(const Scene&);
+/// Each hand draws its end until it feels the tension; true once both have held it for a moment.
+bool drawTight(const Scene&);
+/// The tail is laid toward the surgeon; true once it lies.
+bool layTail(const Scene&);
+/// The driver lets go what it holds and rises; true once it is up.
+bool letTailGo(const Scene&);
+
+}  // namespace halsted::scenes

@@ -1,0 +1,98 @@
+/// Throws of an instrument tie: the long end is wound round the driver, which fetches the tail with the loop on its jaws.
+#include <cmath>
+
+#include "scenes/tie_phases.h"
+#include "scenes/tie_places.h"
+
+namespace halsted::scenes {
+namespace {
+
+constexpr double kBack = 30e-3;                // [m] along its shaft: where the driver waits
+constexpr double kWindSpeed = 3.0;             // [rad/s]
+constexpr double kSnug = 0.03, kGive = 0.06;   // [N] more would draw the tail into the tissue: the winding hand gives way; [m/s]
+constexpr double kWider = 6e-3, kOpening = 0.4;   // [m] of thread that the opening jaws take up in a turn; [s]
+constexpr double kLost = 0.6;                  // [1] of a turn less than planned: the loop has slid off
+
+/// A winding hand that feels its thread gives way.
+void giveWay(const Scene& s) {
+  KnotPlan& k = s.memory.knot;
+  feel(k.felt[kLeft], s.state.tools[kLeft].threadForce.norm(), s.dt, kFeelTime);
+  if (k.felt[kLeft] > kSnug) k.given += kGive * s.dt;
+}
+
+/// The winding hand stays beside the driver and keeps the loop on its jaws.
+void follow(const Scene& s) {
+  giveWay(s);
+  moveHand(s, kLeft, windingPose(s, s.memory.hand[kRight].command.position, wholeTurns(s)), 0.15);
+}
+
+/// Is the loop still on the driver? A turn lacks up to a quarter, as it is begun and ended beside the jaws.
+bool loopLost(const Scene& s) { return woundRoundDriver(s) < s.memory.knot.throws[s.memory.knot.current].turns - kLost; }
+
+/// Winds again, while there is patience; true when it does.
+bool windAgain(const Scene& s) {
+  if (!loopLost(s) || ++s.memory.knot.misses > kAttempts) return false;
+  goTo(s, kUnwind);                            // back along its shaft, so that what lies between the jaws stays behind
+  return true;
+}
+
+}  // namespace
+
+/// The winding hand stands on its side, then the driver comes over the stitch with closed jaws, then the thread goes round.
+void wind(const Scene& s) {
+  ExpertState& e = s.memory;
+  KnotPlan& k = e.knot;
+  if (e.phase == kTurn) {
+    if (moveHand(s, kLeft, upright(s, kLeft), kMove)) goTo(s, kLiftLong);
+  } else if (e.phase == kLiftLong) {
+    k.swept = k.given = 0.0;
+    k.felt = {};
+    e.hand[kRight].jaw = 1.0;
+    const bool up = moveHand(s, kLeft, windingPose(s, driverPlace(s), 0.0), kMove);
+    const bool ready = moveHand(s, kRight, driverPose(s, kBack), kMove);
+    if (up && ready) goTo(s, kStand);
+  } else if (e.phase == kStand) {
+    e.hand[kRight].jaw = 0.0;
+    if (s.inPhase > 0.2 && s.state.tools[kRight].threadCoordinate >= 0.0 && ++k.misses <= kAttempts) { goTo(s, kUnwind); return; }
+    if (s.inPhase > 0.2 && moveHand(s, kRight, driverPose(s, 0.0), kMove)) goTo(s, kWind);
+  } else if (e.phase == kWind) {
+    giveWay(s);
+    k.swept = std::fmin(wholeTurns(s), k.swept + kWindSpeed * s.dt);
+    const Pose hand = windingPose(s, e.hand[kRight].command.position, k.swept);
+    if (moveHand(s, kLeft, hand, 0.25) && k.swept >= wholeTurns(s)) goTo(s, kFollow);
+  }
+}
+
+/// The driver, loop round its jaws, goes to the tail, opens, takes it. A loop that has slid off on the way is wound again.
+void fetchTail(const Scene& s, std::string& failure) {
+  ExpertState& e = s.memory;
+  const Pose grip = tailGrip(s);
+  if (e.phase == kFollow) {
+    const bool there = moveHand(s, kRight, above(grip, 8e-3), kCareful);
+    follow(s);
+    if ((there || s.inPhase > 3.0) && !windAgain(s)) goTo(s, kOpen);
+  } else if (e.phase == kOpen) {
+    double& jaw = e.hand[kRight].jaw;
+    if (jaw < 1.0) e.knot.given += e.knot.throws[e.knot.current].turns * kWider / kOpening * s.dt;
+    jaw = std::fmin(1.0, jaw + s.dt / kOpening);
+    follow(s);
+    if (s.inPhase > 0.5) goTo(s, kToTail);
+  } else if (e.phase == kToTail) {
+    if (s.inPhase < 1.5 * s.dt) e.goal[kRight] = {grip.position - 1e-3 * (grip.orientation * Vec3::UnitZ()), grip.orientation};   // not after thread that gives way into soft tissue
+    const bool there = moveHand(s, kRight, e.goal[kRight], kCareful);
+    follow(s);
+    if ((there || s.inPhase > 2.0) && !windAgain(s)) goTo(s, kClose);
+  } else {
+    e.hand[kRight].jaw = std::fmax(0.0, 1.0 - s.inPhase / 0.2);
+    follow(s);
+    if (s.inPhase < 0.3) return;
+    e.knot.drawn = e.knot.felt = {};
+    e.knot.settled = 0.0;
+    if (holdsTail(s)) { goTo(s, kThrough); return; }
+    if (++e.knot.misses > kAttempts) failure = "the tail was not taken";
+    e.hand[kRight].jaw = 1.0;                  // whatever it has taken instead
+    goTo(s, kFollow);
+  }
+}
+
+}  // namespace halsted::scenes
