@@ -47,6 +47,7 @@ struct ExpertState {
   std::array<double, kHands> drawn{};          // [m] of each tail
   std::array<double, kHands> felt{};           // [N] tension of each tail as the hand feels it
   double place = 0.0;                          // [m] coordinate where a tail is to be taken
+  bool crossed = false;                        // the tails have changed sides, as an odd number of throws leaves them
   std::int32_t cutsBefore = 0;                 // of the thread, before this cut
   double settled = 0.0, stuck = 0.0;           // [s] since the tails stopped coming; since they only hold
   std::array<Pose, kHands> goal;               // of the phase under way

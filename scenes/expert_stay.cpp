@@ -4,6 +4,7 @@
 #include "scenes/expert_state.h"
 #include "sim/strand/strand.h"
 #include "sim/suture/holes.h"
+#include "sim/tools/cutter.h"
 
 namespace halsted::scenes {
 namespace {
@@ -12,6 +13,7 @@ constexpr double kBlades = 9.5e-3;             // [m] from the driver's tips
 const Vec3 kLift(0.0, 25e-3, 15e-3);           // [m] so high that its end hangs free
 constexpr double kLoose = 0.9;                 // [1] of the way that its thread allows: lifted, it does not pull on the stitch
 constexpr double kByTheNeedle = 3e-3;          // [m] no nearer to it
+constexpr double kSamePlace = 10e-3;           // [m] of thread: farther off it is another turn of it
 constexpr double kStub = 50e-3;                // [m] of thread left at the stitch where no hand holds it
 constexpr double kTractionSpeed = 0.015, kTractionReach = 0.08;  // [m/s] [m]
 constexpr double kMostGiven = 0.02;            // [m] a tail that was taken too tight is let back
@@ -32,7 +34,13 @@ double lastHole(const Scene& s) { return s.state.strand.holes[s.state.strand.hol
 double cutPlace(const Scene& s) {
   const double held = s.state.tools[kLeft].threadCoordinate, last = lastHole(s);   // [m]
   const double least = held > last ? held + s.action.beyondHand : last + kStub, even = last + s.state.strand.holes[0].coordinate;   // [m]
-  return std::fmin(std::fmax(least, even - 4e-3 * s.memory.attempt), s.model.strand.length - kByTheNeedle);
+  return std::fmin(std::fmax(least + 2e-3 * s.memory.attempt, even - 4e-3 * s.memory.attempt), s.model.strand.length - kByTheNeedle);
+}
+
+/// Another turn of the thread lies between the blades: it would be cut instead.
+bool wouldCutAnother(const Scene& s) {
+  const int i = threadBetweenBlades(s.model, kRight, s.state);
+  return i >= 0 && std::fabs(s.model.strand.place[i] - s.memory.place) > kSamePlace;
 }
 
 /// Where the hand that holds the long end lifts it to.  [m]
@@ -70,9 +78,10 @@ bool runCut(const Scene& s, std::string& failure) {
   } else if (e.phase <= kClose) {
     Pose grip = threadGrip(s, kRight, e.place);
     grip.position -= kBlades * (grip.orientation * Vec3::UnitZ());
-    if (!pickUp(s, kRight, grip, kOver)) return false;
+    const bool another = e.phase == kClose && s.inPhase < 1.5 * s.dt && wouldCutAnother(s);
+    if (!another && !pickUp(s, kRight, grip, kOver)) return false;
     e.goal[kRight] = above(driver.command, 0.03);
-    nextPhase(s);
+    goTo(s, kUp);
   } else {
     driver.jaw = 1.0;
     if (s.inPhase < 0.3 || !moveHand(s, kRight, e.goal[kRight], 0.08)) return false;
@@ -98,6 +107,7 @@ bool runTraction(const Scene& s, std::string& failure) {
   }
   bool pulled = true;
   for (int h = 0; h < kHands; ++h) {
+    if (s.state.tools[h].threadCoordinate < 0.0) { failure = "a tail has slipped out of the jaws"; return false; }
     feel(e.felt[h], s.state.tools[h].threadForce.norm(), s.dt, kFeelTime);
     const double pace = std::fmax(-1.0, std::fmin(1.0, (s.action.tension - e.felt[h]) / kFeel));   // [1]
     e.drawn[h] = std::fmin(kTractionReach, std::fmax(-kMostGiven, e.drawn[h] + pace * kTractionSpeed * s.dt));

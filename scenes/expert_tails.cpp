@@ -26,6 +26,7 @@ constexpr double kSnug = 0.15, kClosed = 0.13; // [1] of the opening at rest: it
 constexpr double kWallsMeet = 2e-3;            // [m] of gap between two ends that looks as open as an opening at rest
 constexpr double kDrawSpeed = 0.04, kDrawReach = 0.06;           // [m/s] [m] of one stroke
 constexpr double kMostPull = 1.5;              // [N] at which a hand that feels draws no farther
+constexpr double kStalls = 0.9;                 // [1] of it: over cut edges, where it slows down as it pulls, it comes no farther
 const Vec3 kDrawWay = Vec3(0.5, 0.6, 0.6).normalized();          // [1] of the driver: up, toward the surgeon, to its own side
 
 /// Distance of a place on the thread from the wall and from the rest of the thread: jaws that close there take hold of nothing else.  [m]
@@ -61,6 +62,12 @@ double thinkOfPlace(const Scene& s, double stitch, double way) {
 double tailPlace(const Scene& s) { return thinkOfPlace(s, s.state.strand.holes[0].coordinate, -1.0); }
 double needlePlace(const Scene& s) { return thinkOfPlace(s, s.state.strand.holes[s.state.strand.holeCount - 1].coordinate, 1.0); }
 
+/// A stay is held by each hand on its own side.
+bool changedSides(const Scene& s) {
+  const auto x = [&](double place) { return strandPoint(s.model.strand, s.state.strand, place).x(); };   // [m]
+  return s.action.kind == "take_stay" && x(tailPlace(s)) > x(needlePlace(s));
+}
+
 /// Takes the thread at the place thought of; false while at it. What was not taken, or was another turn of the thread, is let go.
 bool takeThread(const Scene& s, int hand, int first, double (*think)(const Scene&)) {
   ExpertState& e = s.memory;
@@ -94,25 +101,29 @@ Pose threadGrip(const Scene& s, int hand, double coordinate) {
   return {p, Quat(axes).normalized()};
 }
 
-/// Phase 0: looks; what is closed needs no other grip. 1 to 3: the right hand takes the thread at the last exit. 4: the left lets the needle go. 5 to 7: it takes the tail.
+/// Phase 0: looks; what is closed needs no other grip. 1 to 3: the right hand takes its tail. 4: the left lets the needle go. 5 to 7: it takes the other.
 bool runTakeTails(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   if (s.state.strand.holeCount < 2) { failure = "there is no stitch in the tissue"; return false; }
   if (e.phase == 0) {
     const bool held = s.state.tools[kLeft].threadCoordinate >= 0.0 && s.state.tools[kRight].threadCoordinate >= 0.0;
     if (s.action.kind == "take_tails" && held && opening(s.state, s.model) < kSnug) return true;
-    e.place = needlePlace(s);
+    e.crossed = changedSides(s);
+  }
+  const auto rightPlace = e.crossed ? tailPlace : needlePlace, leftPlace = e.crossed ? needlePlace : tailPlace;
+  if (e.phase == 0) {
+    e.place = rightPlace(s);
     nextPhase(s);
   } else if (e.phase <= 3) {
-    if (!takeThread(s, kRight, 1, needlePlace)) return false;
+    if (!takeThread(s, kRight, 1, rightPlace)) return false;
     e.goal[kLeft] = above(e.hand[kLeft].command, 0.02);
     e.attempt = 0;
     nextPhase(s);
   } else if (e.phase == 4) {
     e.hand[kLeft].jaw = 1.0;
-    if (s.inPhase > 0.3 && moveHand(s, kLeft, e.goal[kLeft], 0.08)) { e.place = tailPlace(s); nextPhase(s); }
+    if (s.inPhase > 0.3 && moveHand(s, kLeft, e.goal[kLeft], 0.08)) { e.place = leftPlace(s); nextPhase(s); }
   } else {
-    return takeThread(s, kLeft, 5, tailPlace);
+    return takeThread(s, kLeft, 5, leftPlace);
   }
   return false;
 }
@@ -137,7 +148,7 @@ bool runDraw(const Scene& s, std::string& failure) {
     const double pace = s.state.cut ? std::fmax(0.0, 1.0 - e.felt[kRight] / kMostPull) : 1.0;   // [1] over cut edges thread catches
     e.drawn[kRight] += pace * kDrawSpeed * s.dt;
     moveHand(s, kRight, {e.goal[kRight].position + e.drawn[kRight] * kDrawWay, e.goal[kRight].orientation}, 0.1);
-    const bool against = !s.state.cut && e.felt[kRight] > kMostPull;   // the hand that keeps the needle: the thread between them is out
+    const bool against = e.felt[kRight] > (s.state.cut ? kStalls : 1.0) * kMostPull;   // the hand that keeps the needle: the thread between them is out
     if (e.drawn[kRight] > kDrawReach || against) e.phase = 0;
   }
   return false;

@@ -6,6 +6,7 @@
 #include "sim/portable_math.h"
 #include "sim/strand/strand.h"
 #include "sim/suture/holes.h"
+#include "sim/suture/knotting.h"
 #include "sim/tools/instrument.h"
 
 namespace halsted::scenes {
@@ -23,7 +24,7 @@ constexpr double kPerTurn = 20e-3;             // [m] of the long end that a sec
 constexpr double kSpare = 2e-3;                // [m] of the long end left when it has gone round
 constexpr double kJaws = 30e-3;                // [m] of the driver that may have thread wound about it
 constexpr double kFromEnd = 5e-3;              // [m] of tail beyond the jaws
-constexpr double kLongTail = 40e-3, kBeyondGrip = 0.4;   // [m] of tail; of one that is longer [1]
+constexpr double kLongTail = 40e-3, kBeyondGrip = 0.25;   // [m] of tail; of one that is longer [1]
 
 const StrandState& strand(const Scene& s) { return s.state.strand; }
 
@@ -78,11 +79,12 @@ double longEnd(const Scene& s) {
   return s.action.longEnd + kPerTurn * (most - 1);
 }
 double longPlace(const Scene& s) {             // [m]
-  return std::fmin(longHole(s).coordinate + longEnd(s), s.model.strand.length - kFromEnd);
+  return std::fmin(longHole(s).coordinate + longEnd(s), threadEnd(s.model, s.state, longHole(s).coordinate) - kFromEnd);
 }
 bool holdsLong(const Scene& s) {
   const double c = s.state.tools[kLeft].threadCoordinate;   // [m]
-  return c > longHole(s).coordinate + 0.6 * longEnd(s) && c < longHole(s).coordinate + 1.2 * longEnd(s);
+  const double from = longHole(s).coordinate;  // [m]
+  return c > from + 0.6 * longEnd(s) && c < std::fmin(from + 1.2 * longEnd(s), threadEnd(s.model, s.state, from));
 }
 bool driverHoldsLong(const Scene& s) { return s.state.tools[kRight].threadCoordinate > longHole(s).coordinate; }
 bool holdsTail(const Scene& s) {

@@ -3,6 +3,7 @@
 
 #include "scenes/tie_phases.h"
 #include "scenes/tie_places.h"
+#include "sim/tools/cutter.h"
 
 namespace halsted::scenes {
 namespace {
@@ -29,9 +30,15 @@ void follow(const Scene& s) {
 /// Is the loop still on the driver? A turn lacks up to a quarter, as it is begun and ended beside the jaws.
 bool loopLost(const Scene& s) { return woundRoundDriver(s) < s.memory.knot.throws[s.memory.knot.current].turns - kLost; }
 
+/// Would the blades behind the open jaws cut the loop as these close? What hangs beyond the winding hand may be cut.
+bool wouldBeCut(const Scene& s) {
+  const int i = s.memory.hand[kRight].jaw > 0.5 ? threadBetweenBlades(s.model, kRight, s.state) : -1;
+  return i >= 0 && s.model.strand.place[i] < s.state.tools[kLeft].threadCoordinate;
+}
+
 /// Winds again, while there is patience; true when it does.
 bool windAgain(const Scene& s) {
-  if (!loopLost(s) || ++s.memory.knot.misses > kAttempts) return false;
+  if (!(loopLost(s) || wouldBeCut(s)) || ++s.memory.knot.misses > kAttempts) return false;
   goTo(s, kUnwind);                            // back along its shaft, so that what lies between the jaws stays behind
   return true;
 }

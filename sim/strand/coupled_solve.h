@@ -2,12 +2,14 @@
 /// Direct solve of the strand's banded matrix plus couplings between far-apart nodes (thread against thread).
 /// The nodes that touch are the core. The free stretches between them are eliminated along the band, in linear time, whatever the length
 /// of a loop; what remains is a small matrix over the core, ordered so that strands lying along each other stay neighbours (reverse
-/// Cuthill-McKee), kept as an envelope and factored directly. Exact, no iteration, no heap after
+/// Cuthill-McKee) and factored directly (sim/strand/envelope.h). Exact, no iteration, no heap after
 /// `resize`.
 #include <vector>
 
 #include "sim/lanes.h"
 #include "sim/strand/banded.h"
+#include "sim/strand/envelope.h"
+#include "sim/strand/stretch.h"
 #include "sim/types.h"
 
 namespace halsted {
@@ -38,9 +40,6 @@ class CoupledSolve {
   void solveAgain(Lanes4* x);
 
  private:
-  static constexpr int kBorder = 6;            // scalars of the two core nodes before a free stretch
-  struct Stretch { int first, last; };         // block rows, inclusive
-
   double* row(int block) { return &envelope_[offset_[block]]; }   // three rows of equal length (3 (block + 1) - 3 first)
   int width(int block) const { return 3 * (block + 1 - first_[block]); }
   void findStretches();
@@ -48,14 +47,12 @@ class CoupledSolve {
   void orderCore();
   void connect(int nodeI, int nodeJ);          // within the core's graph, by present places
   void copyBand(const BandedMatrix&);
-  bool eliminate(const Stretch&, double* x);
-  void reduceBorder(const Stretch&, double* x);
+  StretchBand stretchBand();
   void addCore(int i, int j, double value);    // [N/m] scalar rows of the strand
   void gatherCore();
-  bool factorCore();
-  template <typename T> void solveCore(T* x, std::vector<T>& core);   // [N] then [m]
-  template <typename T> void substitute(const Stretch&, T* x) const;
-  void forward(const Stretch&, Lanes4* x) const;
+  Envelope core();                             // its matrix
+  void solveCore(double* x);                   // [N] then [m]
+  void solveCoreFour(double* x);               // [N] then [m], rows of four
 
   int nodes_ = 0, blocks_ = 0;                 // blocks: the needle counts as two more
   std::vector<char> inCore_;                   // per block
@@ -65,10 +62,10 @@ class CoupledSolve {
   std::vector<std::pair<int, int>> pairs_;
   std::vector<Stretch> stretches_;
   std::vector<double> band_;                   // [N/m] rows of BandedMatrix::kStride, eliminated in place
-  std::vector<double> border_;                 // [N/m] kBorder per scalar row: coupling with the core before the stretch
+  std::vector<double> border_;                 // [N/m] StretchBand::kBorder per scalar row: coupling with the core before the stretch
   std::vector<double> envelope_, values_;      // [N/m] factored; couplings as added
-  std::vector<double> coreX_, scaled_, inverse_;   // [N] then [m]; one row times the pivots; [m/N]
-  std::vector<Lanes4> coreAgain_;              // [N] then [m]
+  std::vector<double> x_;                      // [N] then [m], room for four; zeros behind its end
+  std::vector<double> coreX_, scaled_, inverse_;   // [N] then [m], room for four; three rows times the pivots; [m/N]
 };
 
 }  // namespace halsted

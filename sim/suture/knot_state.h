@@ -1,5 +1,5 @@
 #pragma once
-/// What has been tied, as it was last read from the thread's course. Part of `State`; written by sim/suture/knot_watch.
+/// What has been tied, as it was last read in full from the thread's course. Part of `State`; written by sim/suture/knot_watch.
 #include <array>
 #include <cstdint>
 
@@ -10,10 +10,10 @@ namespace halsted {
 struct KnotState {
   static constexpr int kMostThrows = 12;
   bool watched = false;                        // the scene's thread meets itself; nothing below is written otherwise
-  bool complete = false;                       // every crossing of the thread belongs to a throw
+  bool complete = false;                       // it has been read: every crossing of the thread belonged to a throw
   std::int32_t throws = 0;
   std::array<std::int32_t, kMostThrows> turns{}, sense{};   // [1] of each throw in the order of tying; +1 or -1
-  std::int32_t crossingsLeft = 0;
+  std::int32_t crossingsLeft = 0;              // at the last look, in full or not
   double gap = 0.0;                            // [m] of thread between the tissue and the knot, mean of its two strands
   double size = 0.0;                           // [m] of thread within the knot, mean of its two strands
   std::array<std::int32_t, kHands> toolTurns{};     // [1] signed turns of the thread about each tool

@@ -34,9 +34,12 @@ double gapToTissue(const StrandModel& m, const StrandState& s, const KnotReading
   return std::max(0.0, 0.5 * (tail + tip));
 }
 
+/// Thread that lies over its own knot can hide it for a while; it cannot untie it. So what cannot be read leaves what was read last, and
+/// thread that has come free of itself is read again.
 void writeReading(const Model& m, const StrandState& s, const KnotReading& r, KnotState& k) {
-  k.complete = r.complete;
   k.crossingsLeft = r.crossingsLeft;
+  if (!r.complete) return;
+  k.complete = true;
   k.throws = static_cast<std::int32_t>(r.throws.size());
   k.turns = {};
   k.sense = {};

@@ -21,8 +21,8 @@ bool betweenBlades(const CapsuleShape& jaw, const Vec3& p) {
 
 }  // namespace
 
-bool cutThread(const Model& m, int hand, State& s, StepOutput& out) {
-  if (!toolOf(m, s, hand).cutter || s.threadContacts.cut.empty()) return false;
+int threadBetweenBlades(const Model& m, int hand, const State& s) {
+  if (!toolOf(m, s, hand).cutter || s.threadContacts.cut.empty()) return -1;
   constexpr int kSamples = 4;                  // per segment
   const CapsuleShape jaw = toolCapsules(toolOf(m, s, hand), s.tools[hand].jaw)[0];
   for (int i = 0; i + 1 < m.strand.nodes; ++i) {
@@ -30,15 +30,20 @@ bool cutThread(const Model& m, int hand, State& s, StepOutput& out) {
     for (int k = 0; k < kSamples; ++k) {
       const double share = (k + 0.5) / kSamples;                 // [1]
       const Vec3 p = (1.0 - share) * s.strand.position[i] + share * s.strand.position[i + 1];
-      if (!betweenBlades(jaw, s.tools[hand].proxy.inverseApply(p))) continue;
-      s.threadContacts.cut[i] = 1;
-      s.strand.tension[i] = 0.0;
-      ++s.knot.cuts;
-      pushEvent(out, {s.step, EventKind::kThreadCut, hand, i, 0.0});
-      return true;
+      if (betweenBlades(jaw, s.tools[hand].proxy.inverseApply(p))) return i;
     }
   }
-  return false;
+  return -1;
+}
+
+bool cutThread(const Model& m, int hand, State& s, StepOutput& out) {
+  const int i = threadBetweenBlades(m, hand, s);
+  if (i < 0) return false;
+  s.threadContacts.cut[i] = 1;
+  s.strand.tension[i] = 0.0;
+  ++s.knot.cuts;
+  pushEvent(out, {s.step, EventKind::kThreadCut, hand, i, 0.0});
+  return true;
 }
 
 }  // namespace halsted

@@ -7,6 +7,9 @@
 
 namespace halsted {
 
+/// First segment of thread that lies between the open blades of a hand's tool and would be cut if they closed; -1: none, or no blades.
+int threadBetweenBlades(const Model&, int hand, const State&);
+
 /// The jaws of a hand are closing. True when thread was between the blades and is cut.
 bool cutThread(const Model&, int hand, State&, StepOutput&);
 

@@ -1,27 +1,15 @@
 /// Interrupted Lembert stitches by physics, from one script with the beginner's knot.
 #include <algorithm>
-#include <fstream>
 #include <map>
 
 #include "sim/outcome.h"
 #include "sim/whole_seam.h"
-#include "tests/app/scenario_for_tests.h"
-#include "tests/support/process.h"
+#include "tests/app/sewn_run.h"
 
 namespace halsted::app {
 namespace {
 
 using halsted::testing::TemporaryFolder;
-
-/// The scene's own script, at these places only and as often asked for.
-std::string scriptAt(const TemporaryFolder& folder, const std::string& places) {
-  std::ifstream file(testing::sourceFolder() + "/scenes/lembert/expert.toml");
-  std::string line, text;
-  while (std::getline(file, line)) text += line.rfind("stitch_at_deg", 0) == 0 ? "stitch_at_deg = [" + places + "]\n" : line + "\n";
-  const std::string path = folder.file("expert.toml");
-  std::ofstream(path) << text;
-  return path;
-}
 
 struct Worst {
   double hole = 0.0, loop = 0.0;               // [N] at a hole and in a kept stitch, since the knot of the thread in use
@@ -40,7 +28,7 @@ struct Worst {
 /// Two of the script's stitches, neighbours: all that ten are made of.
 TEST(SlowLembert, StitchesAreBittenTiedCutAndFollowedByTheNextWithoutAFaultOrATear) {
   const TemporaryFolder folder;
-  const Scenario scenario = scenarioFromFile(scriptAt(folder, "0, 16"), {"thread.assist=knot"});
+  const Scenario scenario = scenarioFromFile(scriptAt(folder, "lembert", "0, 16"), {"thread.assist=knot"});
   Worst worst;
   Lockstep run(scenario);
   while (run.advance()) worst.look(run.state(), run.input());

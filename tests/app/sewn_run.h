@@ -1,11 +1,23 @@
 #pragma once
 /// A sewing script run to its end, and what every one of them must hold.
 #include <algorithm>
+#include <fstream>
 #include <map>
 
 #include "tests/app/scenario_for_tests.h"
+#include "tests/support/process.h"
 
 namespace halsted::app {
+
+/// A scene's own script, at these places only and as often asked for; its path.
+inline std::string scriptAt(const testing::TemporaryFolder& folder, const std::string& scene, const std::string& places) {   // [deg]
+  std::ifstream file(testing::sourceFolder() + "/scenes/" + scene + "/expert.toml");
+  std::string line, text;
+  while (std::getline(file, line)) text += line.rfind("stitch_at_deg", 0) == 0 ? "stitch_at_deg = [" + places + "]\n" : line + "\n";
+  const std::string path = folder.file("expert.toml");
+  std::ofstream(path) << text;
+  return path;
+}
 
 inline double hardestHole(const State& s) {    // [N]
   double most = 0.0;                           // [N]

@@ -1,0 +1,126 @@
+#include "sim/strand/stretch.h"
+
+#include <utility>
+
+namespace halsted {
+namespace {
+
+constexpr int kHalf = BandedMatrix::kHalf, kStride = BandedMatrix::kStride, kBorder = StretchBand::kBorder;
+
+HALSTED_INLINE double* rowOf(const StretchBand& b, int j) { return b.rows + static_cast<std::size_t>(j) * kStride; }       // [N/m]
+HALSTED_INLINE double* borderOf(const StretchBand& b, int j) { return b.border + static_cast<std::size_t>(j) * kBorder; }   // [N/m]
+
+/// Takes column 0 of `row` out of the row that lies I below it; its length is known to the compiler, which does several at once.
+template <int I> HALSTED_INLINE void eliminateRow(double* row, double* border, double inverse, double xj, double* x, bool bordered) {   // [1]
+  if (row[I] == 0.0) return;
+  const double factor = row[I] * inverse;      // [1]
+  double* target = row + I * kStride;
+  for (int k = I; k <= kHalf; ++k) target[k - I] -= factor * row[k];
+  x[I] -= factor * xj;
+  if (!bordered) return;
+  for (int c = 0; c < kBorder; ++c) border[I * kBorder + c] -= factor * border[c];
+}
+
+template <int... I>
+HALSTED_INLINE void eliminateAll(double* row, double* border, double inverse, double xj, double* x, bool bordered, std::integer_sequence<int, I...>) {   // [1]
+  (eliminateRow<I + 1>(row, border, inverse, xj, x, bordered), ...);
+}
+
+HALSTED_INLINE bool eliminateBody(const StretchBand& b, const Stretch& s, double* x) {   // [N]
+  for (int j = 3 * s.first; j < 3 * (s.last + 1); ++j) {
+    double* row = rowOf(b, j);
+    if (!(row[0] > 0.0)) return false;
+    const double inverse = 1.0 / row[0];       // [m/N]
+    eliminateAll(row, borderOf(b, j), inverse, x[j], x + j, s.bordered(), std::make_integer_sequence<int, kHalf>());
+    row[0] = inverse;
+  }
+  return true;
+}
+
+/// The corner of the two blocks is kept apart while it is summed.
+HALSTED_INLINE void reduceBody(const StretchBand& b, const Stretch& s, double* x) {   // [N]
+  const int begin = 3 * (s.first - 2);
+  double corner[kBorder][kBorder], rhs[kBorder];   // [N/m], [N]
+  for (int a = 0; a < kBorder; ++a) {
+    rhs[a] = x[begin + a];
+    for (int c = a; c < kBorder; ++c) corner[a][c] = rowOf(b, begin + a)[c - a];
+  }
+  for (int j = 3 * s.first; j < 3 * (s.last + 1); ++j) {
+    const double* border = borderOf(b, j);
+    const double inverse = rowOf(b, j)[0];     // [m/N]
+    for (int a = 0; a < kBorder; ++a) {
+      const double factor = border[a] * inverse;   // [1]
+      rhs[a] -= factor * x[j];
+      for (int c = a; c < kBorder; ++c) corner[a][c] -= factor * border[c];
+    }
+  }
+  for (int a = 0; a < kBorder; ++a) {
+    x[begin + a] = rhs[a];
+    for (int c = a; c < kBorder; ++c) rowOf(b, begin + a)[c - a] = corner[a][c];
+  }
+}
+
+template <typename L> HALSTED_INLINE void forwardBody(const StretchBand& b, const Stretch& s, double* x) {   // [N]
+  double* before = x + 12 * (s.first - 2);
+  for (int j = 3 * s.first; j < 3 * (s.last + 1); ++j) {
+    const double *row = rowOf(b, j), *border = borderOf(b, j);
+    const L scaled = loadLanes<L>(x + 4 * j) * row[0];
+    for (int i = 1; i <= kHalf; ++i) storeLanes(x + 4 * (j + i), loadLanes<L>(x + 4 * (j + i)) - row[i] * scaled);
+    if (!s.bordered()) continue;
+    for (int c = 0; c < kBorder; ++c) storeLanes(before + 4 * c, loadLanes<L>(before + 4 * c) - border[c] * scaled);
+  }
+}
+
+template <typename L> HALSTED_INLINE void substituteBody(const StretchBand& b, const Stretch& s, double* x) {   // [N] then [m]
+  const double* before = x + 12 * (s.first - 2);
+  for (int j = 3 * (s.last + 1) - 1; j >= 3 * s.first; --j) {
+    const double *row = rowOf(b, j), *border = borderOf(b, j);
+    L sum = loadLanes<L>(x + 4 * j);
+    for (int k = 1; k <= kHalf; ++k) sum = sum - row[k] * loadLanes<L>(x + 4 * (j + k));
+    if (s.bordered())
+      for (int c = 0; c < kBorder; ++c) sum = sum - border[c] * loadLanes<L>(before + 4 * c);
+    storeLanes(x + 4 * j, sum * row[0]);
+  }
+}
+
+#define HALSTED_WIDE __attribute__((target("avx2")))
+HALSTED_WIDE bool eliminateWide(const StretchBand& b, const Stretch& s, double* x) { return eliminateBody(b, s, x); }
+HALSTED_WIDE void reduceWide(const StretchBand& b, const Stretch& s, double* x) { reduceBody(b, s, x); }
+HALSTED_WIDE void forwardWide(const StretchBand& b, const Stretch& s, double* x) { forwardBody<Lanes4>(b, s, x); }
+HALSTED_WIDE void substituteWide(const StretchBand& b, const Stretch& s, double* x) { substituteBody<Lanes4>(b, s, x); }
+#undef HALSTED_WIDE
+
+}  // namespace
+
+bool eliminate(const StretchBand& b, const Stretch& s, double* x, LanePath path) {   // [N]
+  return path == LanePath::kWide ? eliminateWide(b, s, x) : eliminateBody(b, s, x);
+}
+
+void reduceBorder(const StretchBand& b, const Stretch& s, double* x, LanePath path) {   // [N]
+  if (!s.bordered()) return;
+  if (path == LanePath::kWide) reduceWide(b, s, x);
+  else reduceBody(b, s, x);
+}
+
+void substitute(const StretchBand& b, const Stretch& s, double* x) {   // [N] then [m]
+  for (int j = 3 * (s.last + 1) - 1; j >= 3 * s.first; --j) {
+    const double *row = rowOf(b, j), *border = borderOf(b, j);
+    double sum = x[j];                         // [N]
+    for (int k = 1; k <= kHalf; ++k) sum -= row[k] * x[j + k];
+    if (s.bordered())
+      for (int c = 0; c < kBorder; ++c) sum -= border[c] * x[3 * (s.first - 2) + c];
+    x[j] = sum * row[0];
+  }
+}
+
+void forwardFour(const StretchBand& b, const Stretch& s, double* x, LanePath path) {   // [N]
+  if (path == LanePath::kWide) forwardWide(b, s, x);
+  else forwardBody<Serial4>(b, s, x);
+}
+
+void substituteFour(const StretchBand& b, const Stretch& s, double* x, LanePath path) {   // [N] then [m]
+  if (path == LanePath::kWide) substituteWide(b, s, x);
+  else substituteBody<Serial4>(b, s, x);
+}
+
+}  // namespace halsted

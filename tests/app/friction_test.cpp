@@ -1,0 +1,51 @@
+/// The sewing scenes by physics from their scripts, with knots that nothing but friction holds. As it takes up to half an hour, of the scenes
+/// with many stitches only the first ones are sewn here.
+#include "sim/strand/knot_diagram.h"
+#include "sim/strand/strand.h"
+#include "tests/app/sewn_run.h"
+
+namespace halsted::app {
+namespace {
+
+struct Sewn {
+  const char* scene;
+  const char* places;                          // [deg] of the stitches
+  int stitches;
+  double widest;                               // [m] between the walls when nobody holds them any more
+  bool completes;
+};
+
+std::ostream& operator<<(std::ostream& out, const Sewn& s) { return out << s.scene; }
+
+class SlowFriction : public ::testing::TestWithParam<Sewn> {};
+
+TEST_P(SlowFriction, HoldsTheWallsByThreadOnThreadAlone) {
+  const testing::TemporaryFolder folder;
+  const Sewn& sewn = GetParam();
+  const Scenario scenario = scenarioFromFile(scriptAt(folder, sewn.scene, sewn.places), {"preset=friction"});
+  Lockstep run(scenario);
+  int throws = 0;                              // the most that were read on one thread
+  while (run.advance()) throws = std::max(throws, run.state().knot.throws);
+  EXPECT_EQ(run.failure(), "");
+  const State& s = run.state();
+  const RunSummary summary = summariseRun(sewn.scene, "t", scenario.model, s, run.stepTimes(), 1.0);
+  EXPECT_EQ(summary.completed, sewn.completes);
+  for (const ProcedureLine& line : summary.procedure) EXPECT_EQ(line.faults, 0) << line.id;
+  std::map<std::string, double> m(summary.metrics.begin(), summary.metrics.end());   // by the name's unit
+  EXPECT_FALSE(s.assist);
+  EXPECT_EQ(m.count("assisted_knots"), 0u);
+  EXPECT_GE(throws, 2);
+  EXPECT_EQ(m["tears"], 0.0);
+  EXPECT_LT(m["wall_gap_m"], sewn.widest);
+  EXPECT_EQ(m["stitches"], sewn.stitches);
+  EXPECT_EQ(s.threadContacts.dropped, 0) << "thread has passed through thread";
+  std::printf("%s by friction: %.1f s, at most %d throws read, now %s, walls %.2f mm apart, at most %.2f N in the thread\n", sewn.scene, run.time(), throws,
+              knotName(readKnot(s.strand.position)).c_str(), 1e3 * m["wall_gap_m"], m["peak_tension_n"]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SlowFriction,
+                         ::testing::Values(Sewn{"connell", "", 0, 1.5e-3, true}, Sewn{"stay", "", 0, 1.5e-3, true}, Sewn{"lembert", "0, 16", 2, 1.5e-3, false}),
+                         [](const auto& scene) { return std::string(scene.param.scene); });
+
+}  // namespace
+}  // namespace halsted::app
