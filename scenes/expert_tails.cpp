@@ -26,7 +26,7 @@ constexpr double kSnug = 0.15, kClosed = 0.13; // [1] of the opening at rest: it
 constexpr double kWallsMeet = 2e-3;            // [m] of gap between two ends that looks as open as an opening at rest
 constexpr double kDrawSpeed = 0.04, kDrawReach = 0.06;           // [m/s] [m] of one stroke
 constexpr double kMostPull = 1.5;              // [N] at which a hand that feels draws no farther
-constexpr double kStalls = 0.9;                 // [1] of it: over cut edges, where it slows down as it pulls, it comes no farther
+constexpr double kStalls = 0.9;                // [1] of it: over cut edges, where it slows down as it pulls, it comes no farther
 const Vec3 kDrawWay = Vec3(0.5, 0.6, 0.6).normalized();          // [1] of the driver: up, toward the surgeon, to its own side
 
 /// Distance of a place on the thread from the wall and from the rest of the thread: jaws that close there take hold of nothing else.  [m]

@@ -11,8 +11,9 @@ struct Sewn {
   const char* scene;
   const char* places;                          // [deg] of the stitches
   int stitches;
-  double widest;                               // [m] between the walls when nobody holds them any more
-  bool completes;
+  double widest;                               // [m] between the walls when all is done
+  int fullThickness, held;                     // bites through the whole wall; tails in a hand at the end
+  bool completes;                              // the whole procedure, with one thread
 };
 
 std::ostream& operator<<(std::ostream& out, const Sewn& s) { return out << s.scene; }
@@ -36,6 +37,11 @@ TEST_P(SlowFriction, HoldsTheWallsByThreadOnThreadAlone) {
   EXPECT_EQ(m.count("assisted_knots"), 0u);
   EXPECT_GE(throws, 2);
   EXPECT_EQ(m["tears"], 0.0);
+  EXPECT_EQ(m["full_thickness_bites"], sewn.fullThickness);
+  if (sewn.completes) expectSewn(run, sewn.scene);
+  int held = 0;
+  for (const ToolState& t : s.tools) held += t.threadCoordinate >= 0.0 ? 1 : 0;
+  EXPECT_EQ(held, sewn.held);
   EXPECT_LT(m["wall_gap_m"], sewn.widest);
   EXPECT_EQ(m["stitches"], sewn.stitches);
   EXPECT_EQ(s.threadContacts.dropped, 0) << "thread has passed through thread";
@@ -44,7 +50,7 @@ TEST_P(SlowFriction, HoldsTheWallsByThreadOnThreadAlone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SlowFriction,
-                         ::testing::Values(Sewn{"connell", "", 0, 1.5e-3, true}, Sewn{"stay", "", 0, 1.5e-3, true}, Sewn{"lembert", "0, 16", 2, 1.5e-3, false}),
+                         ::testing::Values(Sewn{"connell", "", 0, 1.5e-3, 4, 0, true}, Sewn{"stay", "", 0, 1.5e-3, 0, 2, true}, Sewn{"lembert", "0, 16", 2, 1.5e-3, 0, 0, false}),
                          [](const auto& scene) { return std::string(scene.param.scene); });
 
 }  // namespace
