@@ -1,26 +1,12 @@
 #include "sim/strand/banded.h"
 
-#include <utility>
-
 #include "sim/lane_math.h"
+#include "sim/strand/eliminate_row.h"
 
 namespace halsted {
 namespace {
 
 constexpr int kHalf = BandedMatrix::kHalf, kStride = BandedMatrix::kStride;
-
-/// Takes column 0 of `row` out of the row that lies I below it; its length is known to the compiler, which does several at once.
-template <int I> HALSTED_INLINE void eliminate(double* row, double inverse, double xj, double* x) {   // [1]
-  if (row[I] == 0.0) return;
-  const double factor = row[I] * inverse;
-  double* target = row + I * kStride;
-  for (int k = I; k <= kHalf; ++k) target[k - I] -= factor * row[k];
-  x[I] -= factor * xj;
-}
-
-template <int... I> HALSTED_INLINE void eliminateAll(double* row, double inverse, double xj, double* x, std::integer_sequence<int, I...>) {   // [1]
-  (eliminate<I + 1>(row, inverse, xj, x), ...);
-}
 
 /// The rows below the last are there too, all zeros.
 HALSTED_INLINE bool solveBody(double* a, int size, double* x) {   // [1]
@@ -28,7 +14,7 @@ HALSTED_INLINE bool solveBody(double* a, int size, double* x) {   // [1]
     double* row = a + static_cast<std::size_t>(j) * kStride;
     if (!(row[0] > 0.0)) return false;
     const double inverse = 1.0 / row[0];
-    eliminateAll(row, inverse, x[j], x + j, std::make_integer_sequence<int, kHalf>());
+    eliminateColumn<0>(row, nullptr, inverse, x[j], x + j);
     row[0] = inverse;
   }
   for (int j = size - 1; j >= 0; --j) {

@@ -1,6 +1,6 @@
 #include "sim/strand/stretch.h"
 
-#include <utility>
+#include "sim/strand/eliminate_row.h"
 
 namespace halsted {
 namespace {
@@ -10,28 +10,13 @@ constexpr int kHalf = BandedMatrix::kHalf, kStride = BandedMatrix::kStride, kBor
 HALSTED_INLINE double* rowOf(const StretchBand& b, int j) { return b.rows + static_cast<std::size_t>(j) * kStride; }       // [N/m]
 HALSTED_INLINE double* borderOf(const StretchBand& b, int j) { return b.border + static_cast<std::size_t>(j) * kBorder; }   // [N/m]
 
-/// Takes column 0 of `row` out of the row that lies I below it; its length is known to the compiler, which does several at once.
-template <int I> HALSTED_INLINE void eliminateRow(double* row, double* border, double inverse, double xj, double* x, bool bordered) {   // [1]
-  if (row[I] == 0.0) return;
-  const double factor = row[I] * inverse;      // [1]
-  double* target = row + I * kStride;
-  for (int k = I; k <= kHalf; ++k) target[k - I] -= factor * row[k];
-  x[I] -= factor * xj;
-  if (!bordered) return;
-  for (int c = 0; c < kBorder; ++c) border[I * kBorder + c] -= factor * border[c];
-}
-
-template <int... I>
-HALSTED_INLINE void eliminateAll(double* row, double* border, double inverse, double xj, double* x, bool bordered, std::integer_sequence<int, I...>) {   // [1]
-  (eliminateRow<I + 1>(row, border, inverse, xj, x, bordered), ...);
-}
-
 HALSTED_INLINE bool eliminateBody(const StretchBand& b, const Stretch& s, double* x) {   // [N]
   for (int j = 3 * s.first; j < 3 * (s.last + 1); ++j) {
     double* row = rowOf(b, j);
     if (!(row[0] > 0.0)) return false;
     const double inverse = 1.0 / row[0];       // [m/N]
-    eliminateAll(row, borderOf(b, j), inverse, x[j], x + j, s.bordered(), std::make_integer_sequence<int, kHalf>());
+    if (s.bordered()) eliminateColumn<kBorder>(row, borderOf(b, j), inverse, x[j], x + j);
+    else eliminateColumn<0>(row, nullptr, inverse, x[j], x + j);
     row[0] = inverse;
   }
   return true;
