@@ -51,14 +51,18 @@ struct TiedWall : ThreadedWall {
   bool advance(const scenes::ExpertScript& script, scenes::ExpertState& memory) {
     std::array<HandTarget, kHands> target;
     const bool more = scenes::advanceExpert(script, model, state, memory, target, failure);
+    follow(target);
+    step();
+    if (happened(EventKind::kThrowTied)) read.push_back(knotName(readKnot(state.strand.position)));
+    return more;
+  }
+  /// The hands go where the surgeon wants them.
+  void follow(const std::array<HandTarget, kHands>& target) {
     for (int hand = 0; hand < kHands; ++hand) {
       if (!target[hand].valid) continue;
       input.tools[hand].pose = target[hand].pose;
       input.tools[hand].jaw = target[hand].jaw;
     }
-    step();
-    if (happened(EventKind::kThrowTied)) read.push_back(knotName(readKnot(state.strand.position)));
-    return more;
   }
   double seen(Quantity q) const { return out.seen[static_cast<int>(q)]; }   // unit of the quantity
 
