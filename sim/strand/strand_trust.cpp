@@ -10,6 +10,7 @@ namespace {
 constexpr double kSettled = 4e-3;              // [1] of the radius: 5 mN on a sample
 constexpr double kFirstDrag = 1e3;             // [1/s]
 constexpr double kRaise = 8.0, kFade = 0.7;    // [1] per attempt; per step
+constexpr double kMostDrag = 5e8;              // [1/s] a node is held a fifth as stiffly as other thread holds it off; more would pin it in space
 
 /// The least allowance of the pieces that a node is part of.  [m]
 double allowanceOf(const ThreadContactWork& w, int node) {
@@ -43,7 +44,8 @@ bool mustSlow(const StrandModel& m, StrandState& s, const StrandWork& w, bool se
     const bool strays = (w.iterate[i] - w.inertial[i]).squaredNorm() > limit * limit && (w.iterate[i] - s.position[i]).squaredNorm() > limit * limit;
     const Vec3 last(w.rhs[3 * i], w.rhs[3 * i + 1], w.rhs[3 * i + 2]);
     if (!strays && (settled || last.squaredNorm() < 0.01 * restless * restless)) continue;
-    touch.state.drag[i] = std::max(kRaise * touch.state.drag[i], kFirstDrag);
+    if (touch.state.drag[i] >= kMostDrag) continue;
+    touch.state.drag[i] = std::min(kMostDrag, std::max(kRaise * touch.state.drag[i], kFirstDrag));
     slower = true;
   }
   if (slower) std::copy(touch.work.tension.begin(), touch.work.tension.end(), s.tension.begin());

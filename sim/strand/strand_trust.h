@@ -2,7 +2,8 @@
 /// How far the thread may move in one step while it touches itself. A contact is known by its direction at the start of a step, so no
 /// node may stray from the path of inertia by more than a share of the thread's width. A wire that weighs 50 mg a metre does, when it
 /// snaps: a millimetre of curl straightens in 50 us. Such a step is solved again with more drag on the thread, as internal friction of a
-/// braid would have it; the drag fades when the snap is over, and is a few millinewtons on a whole thread. It only dissipates.
+/// braid would have it; the drag fades when the snap is over. It only dissipates, and it is limited: thread that strays even so is taken as
+/// it is, or it would be pinned in space and torn by what goes on drawing at it.
 #include "sim/strand/strand.h"
 #include "sim/strand/thread_contacts.h"
 
