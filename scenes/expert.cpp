@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
 
 #include "scenes/knot_plan.h"
@@ -100,8 +101,7 @@ std::string readTie(const toml::node& node, const std::string& where) {
   return text;
 }
 
-ThreadAssist readAssist(const toml::node& node, const std::string& where) {
-  const std::string text = requireText(node, where);
+ThreadAssist levelOf(const std::string& text, const std::string& where) {
   if (text != "none" && text != "knot") throw InputError(where + ": must be \"none\" or \"knot\"");
   return text == "knot" ? ThreadAssist::kKnot : ThreadAssist::kNone;
 }
@@ -122,7 +122,7 @@ ExpertAction readAction(const toml::table& table, const std::string& origin) {
     else if (!needle && key == "counter_clockwise") action.counterClockwise = readTruth(node, where);
     else if (!needle && key == "across") action.across = readTruth(node, where);
     else if (!needle && key == "through") action.through = readTruth(node, where);
-    else if (!needle && key == "assist") action.assist = readAssist(node, where);
+    else if (!needle && key == "assist") action.assist = levelOf(requireText(node, where), where);
     else if (!needle && key == "tie") action.tie = readTie(node, where);
     else readNumber(node, where, key, action);
   }
@@ -130,7 +130,13 @@ ExpertAction readAction(const toml::table& table, const std::string& origin) {
   return action;
 }
 
-std::vector<double> readPlaces(const toml::node& node, const std::string& where) {   // [deg]
+/// Where a script sets its stitches, one after the other: at one level of assistance, or at any.
+struct StitchPlaces {
+  std::optional<ThreadAssist> level;
+  std::vector<double> degrees;                 // [deg]
+};
+
+std::vector<double> readAngles(const toml::node& node, const std::string& where) {   // [deg]
   constexpr std::size_t kMost = 60;
   const toml::array* list = node.as_array();
   if (!list || list->empty() || list->size() > kMost) throw InputError(where + ": must be a list of 1 to 60 angles");
@@ -142,21 +148,47 @@ std::vector<double> readPlaces(const toml::node& node, const std::string& where)
   return places;
 }
 
-/// The actions of one stitch, once for each place: all that come after the instruments were changed for sewing, or all there are. A
-/// fresh thread at their end is asked for between them and not after the last.
-void repeatAt(const std::vector<double>& places, const std::string& origin, std::vector<ExpertAction>& actions) {   // [deg]
-  const auto changed = std::find_if(actions.rbegin(), actions.rend(), [](const ExpertAction& a) { return a.kind == "change_tools"; });
-  const std::vector<ExpertAction> once(changed.base(), actions.end());
-  if (actions.size() + places.size() * once.size() > kMaxActions) throw InputError(origin + ": stitch_at_deg: more than 1000 actions");
-  actions.erase(changed.base(), actions.end());
-  // Two ends that face each other are seen from opposite sides; the walls of a prolapse, one in the other, from the same.
-  const bool facing = std::none_of(actions.begin(), actions.end(), [](const ExpertAction& a) { return a.kind == "cut_ring"; });
+std::vector<StitchPlaces> readPlaces(const toml::node& node, const std::string& origin, const std::string& key) {
+  const toml::table* levels = node.as_table();
+  if (!levels) return {{std::nullopt, readAngles(node, whereIs(origin, node, key))}};
+  std::vector<StitchPlaces> places;
+  for (const auto& [part, angles] : *levels) {
+    const std::string name(part.str()), where = whereIs(origin, angles, key + "." + name);
+    places.push_back({levelOf(name, where), readAngles(angles, where)});
+  }
+  if (places.size() != 2) throw InputError(whereIs(origin, node, key) + ": must have angles for both levels, none and knot");
+  return places;
+}
+
+/// What of one stitch is done at a level, and there only.
+std::vector<ExpertAction> ofLevel(const std::vector<ExpertAction>& stitch, ThreadAssist level) {
+  std::vector<ExpertAction> own;
+  std::copy_if(stitch.begin(), stitch.end(), std::back_inserter(own), [&](const ExpertAction& a) { return a.assist.value_or(level) == level; });
+  for (ExpertAction& a : own) a.assist = level;
+  return own;
+}
+
+/// The actions of one stitch, once for each place. A fresh thread at their end is asked for between them and not after the last.
+void repeatAt(const std::vector<double>& places, const std::vector<ExpertAction>& stitch, bool facing, std::vector<ExpertAction>& actions) {   // [deg]
   for (double place : places)
-    for (ExpertAction action : once) {
+    for (ExpertAction action : stitch) {
       if (action.kind == "bite") action.angleDegrees += action.bowel == 1 && facing ? -place : place;
       actions.push_back(action);
     }
-  if (actions.back().kind == "fresh_thread" && once.size() > 1) actions.pop_back();
+  if (stitch.size() > 1 && actions.back().kind == "fresh_thread") actions.pop_back();
+}
+
+/// One stitch is all that comes after the instruments were changed for sewing, or all there is.
+void setStitches(const std::vector<StitchPlaces>& all, const std::string& origin, std::vector<ExpertAction>& actions) {
+  const auto changed = std::find_if(actions.rbegin(), actions.rend(), [](const ExpertAction& a) { return a.kind == "change_tools"; });
+  const std::vector<ExpertAction> once(changed.base(), actions.end());
+  actions.erase(changed.base(), actions.end());
+  std::size_t most = actions.size();
+  for (const StitchPlaces& places : all) most += places.degrees.size() * once.size();
+  if (most > kMaxActions) throw InputError(origin + ": stitch_at_deg: more than 1000 actions");
+  // Two ends that face each other are seen from opposite sides; the walls of a prolapse, one in the other, from the same.
+  const bool facing = std::none_of(actions.begin(), actions.end(), [](const ExpertAction& a) { return a.kind == "cut_ring"; });
+  for (const StitchPlaces& places : all) repeatAt(places.degrees, places.level ? ofLevel(once, *places.level) : once, facing, actions);
 }
 
 }  // namespace
@@ -169,11 +201,11 @@ ExpertScript parseExpert(const std::string& text, const std::string& origin) {
   ExpertScript script;
   script.text = text;
   const toml::table file = parseToml(text, origin);
-  std::vector<double> places;                  // [deg]
+  std::vector<StitchPlaces> places;
   for (const auto& [part, node] : file) {
     const std::string key(part.str());
     if (key == "scene") { script.scene = requireText(node, whereIs(origin, node, key)); continue; }
-    if (key == "stitch_at_deg") { places = readPlaces(node, whereIs(origin, node, key)); continue; }
+    if (key == "stitch_at_deg") { places = readPlaces(node, origin, key); continue; }
     if (key != "action") throw InputError(whereIs(origin, node, key) + ": unknown key");
     const toml::array* list = node.as_array();
     if (!list) throw InputError(whereIs(origin, node, key) + ": must be [[action]] tables, is " + kindOf(node));
@@ -185,7 +217,7 @@ ExpertScript parseExpert(const std::string& text, const std::string& origin) {
   }
   if (script.scene.empty()) throw InputError(origin + ":1: scene: is missing");
   if (script.actions.empty()) throw InputError(origin + ":1: action: the script does nothing");
-  if (!places.empty()) repeatAt(places, origin, script.actions);
+  if (!places.empty()) setStitches(places, origin, script.actions);
   return script;
 }
 

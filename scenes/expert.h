@@ -52,6 +52,7 @@ struct ExpertAction {
 
 /// `stitch_at_deg = [0, 20, -20]` in a file: its actions (those after the last "change_tools", if there is one) are done once for each, the number added to every angle_deg of the left (or only)
 /// bowel and taken from that of the right one, which is seen from its other side: 0 is where the actions themselves say.
+/// `stitch_at_deg = { knot = [0, 20, -20], none = [0, 20] }`: other places, or another order, at each level of assistance.
 struct ExpertScript {
   std::string scene;                           // folder name of the scene it is for
   std::string text;                            // as read, kept for the session record

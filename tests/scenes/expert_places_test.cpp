@@ -43,11 +43,32 @@ TEST(StitchPlaces, AreNotMirroredAfterAnExcision) {
   EXPECT_DOUBLE_EQ(script.actions[3].angleDegrees, 120.0);
 }
 
+/// What a level does not do is not in its stitches; the thread between them is asked for at each level by itself.
+TEST(StitchPlaces, MayDifferWithTheLevelOfAssistance) {
+  const std::string tie = "[[action]]\ndo = \"let_go\"\nassist = \"none\"\n";
+  const auto script = scenes::parseExpert("scene = \"lembert\"\nstitch_at_deg = { none = [0, 20], knot = [30] }\n" + tie + kStitch, "test");
+  std::vector<std::string> kinds[2];
+  std::vector<double> left[2];                 // [deg]
+  for (const scenes::ExpertAction& a : script.actions) {
+    ASSERT_TRUE(a.assist);
+    const int level = *a.assist == ThreadAssist::kKnot ? 1 : 0;
+    kinds[level].push_back(a.kind);
+    if (a.kind == "bite" && a.bowel == 0) left[level].push_back(a.angleDegrees);
+  }
+  EXPECT_EQ(kinds[0], (std::vector<std::string>{"let_go", "bite", "bite", "cut", "fresh_thread", "let_go", "bite", "bite", "cut"}));
+  EXPECT_EQ(kinds[1], (std::vector<std::string>{"bite", "bite", "cut"}));
+  EXPECT_EQ(left[0], (std::vector<double>{90.0, 110.0}));
+  EXPECT_EQ(left[1], (std::vector<double>{120.0}));
+}
+
 TEST(StitchPlaces, AreAnglesAndNotTooMany) {
   const auto parse = [](const std::string& places) { scenes::parseExpert("scene = \"lembert\"\nstitch_at_deg = " + places + "\n" + kStitch, "test"); };
   testing::expectRefused([&] { parse("[]"); }, {"test:2", "stitch_at_deg", "1 to 60"});
   testing::expectRefused([&] { parse("[0, 200]"); }, {"test:2", "stitch_at_deg", "-180 to 180"});
   testing::expectRefused([&] { parse("[0, \"top\"]"); }, {"test:2", "stitch_at_deg"});
+  testing::expectRefused([&] { parse("{ none = [0] }"); }, {"test:2", "stitch_at_deg", "both levels"});
+  testing::expectRefused([&] { parse("{ none = [0], glue = [0] }"); }, {"test:2", "stitch_at_deg.glue", "\"none\" or \"knot\""});
+  testing::expectRefused([&] { parse("{ none = [0], knot = [] }"); }, {"test:2", "stitch_at_deg.knot", "1 to 60"});
 }
 
 }  // namespace
