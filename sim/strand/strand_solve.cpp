@@ -50,6 +50,7 @@ class Assembly {
  public:
   Assembly(const StrandModel& m, double dt, StrandWork& w, const ThreadTouch* touch) : model_(m), dt_(dt), work_(w), touch_(touch) {}
   const StrandModel& model() const { return model_; }
+  double dt() const { return dt_; }            // [s]
 
   Spot spotAt(double s, const NeedleIterate& needle) const {
     Spot spot;
@@ -97,10 +98,9 @@ class Assembly {
   void inertia(const StrandState& s, const Vec3& gravity, const NeedleIterate& needle) {
     const double stiff = 1.0 / (dt_ * dt_), drag = model_.damping / dt_;
     for (int i = 0; i < model_.nodes; ++i) {
-      const double threadDrag = touch_ ? drag + touch_->state.drag[i] / dt_ : drag;
       const double m = model_.mass[i];
-      for (int c = 0; c < 3; ++c) work_.matrix.add(3 * i + c, 3 * i + c, m * (stiff + threadDrag));
-      addForce(3 * i, m * (gravity - stiff * (work_.iterate[i] - work_.inertial[i]) - threadDrag * (work_.iterate[i] - s.position[i])));
+      for (int c = 0; c < 3; ++c) work_.matrix.add(3 * i + c, 3 * i + c, m * (stiff + drag));
+      addForce(3 * i, m * (gravity - stiff * (work_.iterate[i] - work_.inertial[i]) - drag * (work_.iterate[i] - s.position[i])));
     }
     const int p = needleIndex();
     const double m = model_.needleMass;
@@ -259,6 +259,7 @@ Outcome iterate(Assembly& assembly, const Vec3& gravity, StrandState& s, NeedleI
     assembly.bending();
     assembly.swage(needle);
     assembly.links(needle);
+    if (touch) assembleSnapDrag(m, s, assembly.dt(), *touch, w);
     if (touch) assembleThreadContacts(w.iterate, w.matrix, w.rhs, touch->work);
     if (!solveSystem(w, touch)) return Outcome::kSingular;
     writeTensions(m, w, touch, s);

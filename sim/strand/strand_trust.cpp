@@ -10,7 +10,7 @@ namespace {
 constexpr double kSettled = 4e-3;              // [1] of the radius: 5 mN on a sample
 constexpr double kFirstDrag = 1e3;             // [1/s]
 constexpr double kRaise = 8.0, kFade = 0.7;    // [1] per attempt; per step
-constexpr double kMostDrag = 5e8;              // [1/s] a node is held a fifth as stiffly as other thread holds it off; more would pin it in space
+constexpr double kMostDrag = 5e7;              // [1/s] more leaves knots no tighter
 
 /// The least allowance of the pieces that a node is part of.  [m]
 double allowanceOf(const ThreadContactWork& w, int node) {
@@ -50,6 +50,22 @@ bool mustSlow(const StrandModel& m, StrandState& s, const StrandWork& w, bool se
   }
   if (slower) std::copy(touch.work.tension.begin(), touch.work.tension.end(), s.tension.begin());
   return slower;
+}
+
+void assembleSnapDrag(const StrandModel& m, const StrandState& start, double dt, const ThreadTouch& touch, StrandWork& w) {
+  const std::vector<double>& drag = touch.state.drag;
+  for (int i = 0; i + 1 < m.nodes; ++i) {
+    const double k = m.mass[i] / dt * std::max(drag[i], drag[i + 1]);   // [N/m]
+    if (k == 0.0 || touch.state.cut[i]) continue;
+    const Vec3 pull = k * (w.iterate[i + 1] - start.position[i + 1] - (w.iterate[i] - start.position[i]));   // [N]
+    for (int c = 3 * i; c < 3 * i + 3; ++c) {
+      w.matrix.add(c, c, k);
+      w.matrix.add(c, c + 3, -k);
+      w.matrix.add(c + 3, c + 3, k);
+      w.rhs[c] += pull[c - 3 * i];
+      w.rhs[c + 3] -= pull[c - 3 * i];
+    }
+  }
 }
 
 }  // namespace halsted

@@ -1,9 +1,9 @@
 #pragma once
 /// How far the thread may move in one step while it touches itself. A contact is known by its direction at the start of a step, so no
 /// node may stray from the path of inertia by more than a share of the thread's width. A wire that weighs 50 mg a metre does, when it
-/// snaps: a millimetre of curl straightens in 50 us. Such a step is solved again with more drag on the thread, as internal friction of a
-/// braid would have it; the drag fades when the snap is over. It only dissipates, and it is limited: thread that strays even so is taken as
-/// it is, or it would be pinned in space and torn by what goes on drawing at it.
+/// snaps: a millimetre of curl straightens in 50 us. Such a step is solved again with a drag of neighbouring nodes on each other, as the
+/// internal friction of a braid would have it; it fades when the snap is over. It only dissipates, holds back nothing that moves as a whole
+/// (a drag against space would: what draws at the thread would tear it), and is limited: thread that strays even so is taken as it is.
 #include "sim/strand/strand.h"
 #include "sim/strand/thread_contacts.h"
 
@@ -17,5 +17,8 @@ bool stillMoving(const StrandModel&, const std::vector<double>& correction, cons
 
 /// Whether the step must be solved again more slowly; then the drag is raised and the tensions are set back.
 bool mustSlow(const StrandModel&, StrandState&, const StrandWork&, bool settled, ThreadTouch&);
+
+/// The drag's forces and stiffness at an iterate, into the strand's system.
+void assembleSnapDrag(const StrandModel&, const StrandState& start, double dt, const ThreadTouch&, StrandWork&);   // [s]
 
 }  // namespace halsted

@@ -48,7 +48,7 @@ struct ThreadContactState {
   std::array<ThreadContact, kMaxContacts> contacts{};
   std::int32_t count = 0;
   std::int32_t dropped = 0;                    // contacts that found no room, ever
-  std::vector<double> drag;                    // [1/s] per node, added to the thread's damping while it snaps (strand_trust.h)
+  std::vector<double> drag;                    // [1/s] per node, on its neighbours while it snaps (strand_trust.h)
   std::vector<Vec3> set;                       // [m] per node but the two ends, empty where thread is elastic (thread_bending.h)
   std::vector<std::uint8_t> cut;               // [1] per segment: 1 where the thread has broken or was cut through
 };

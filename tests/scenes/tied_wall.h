@@ -23,7 +23,8 @@ inline SimParams tiedWallParams() {
 
 struct TiedWall : ThreadedWall {
   std::string failure;                         // of the last script
-  std::vector<std::string> read;               // what the thread was read as whenever a throw was tied
+  std::vector<std::string> read;               // what the thread was read as, one after the other
+  KnotState last;                              // as it was read
 
   explicit TiedWall(const SimParams& p = tiedWallParams()) : ThreadedWall(kNeedleAway, p) {
     layStitch();
@@ -53,7 +54,8 @@ struct TiedWall : ThreadedWall {
     const bool more = scenes::advanceExpert(script, model, state, memory, target, failure);
     follow(target);
     step();
-    if (happened(EventKind::kThrowTied)) read.push_back(knotName(readKnot(state.strand.position)));
+    if (state.knot.turns != last.turns || state.knot.sense != last.sense) read.push_back(knotName(readKnot(state.strand.position)));
+    last = state.knot;
     return more;
   }
   /// The hands go where the surgeon wants them.
