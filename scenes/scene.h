@@ -24,13 +24,14 @@ struct SceneFile {
   std::vector<ProcedureStep> procedure;
   CameraView camera;
   std::map<std::string, std::vector<std::string>> presets;   // [preset] NAME = ["key=value", ...]: settings that belong together
+  std::string trainPreset;                     // train_preset: the one that `train` takes when none is named; empty: the scene as it is
   bool cutaway = false;                        // camera.cutaway: the picture opens with the layers cut open
   std::map<std::string, std::string> origins;  // "file:line: key" or "--set ..." of every key that was set, for messages
   std::string text;                            // the file as read, kept for the session record
   std::vector<std::string> overrides;          // "key=value" as given, kept for the session record
 };
 
-/// `overrides` are "key=value" with the dotted TOML keys, or "preset=NAME" for the settings that the scene keeps under that name; unknown keys, wrong types and out-of-range values throw InputError.
+/// `overrides` are "key=value" with the dotted TOML keys, or "preset=NAME" for the settings that the scene keeps under that name ("default": none); unknown keys, wrong types and out-of-range values throw InputError.
 SceneFile readScene(const std::string& folder, const std::vector<std::string>& overrides);
 /// Whose word a path in an override is: typed by the user, or read from a file (then it stays inside the folder or HALSTED_DATA).
 enum class PathTrust { kUser, kFile };

@@ -75,6 +75,8 @@ void checkSuture(const SimParams& params, const std::string& origin, const Setti
 
 void checkScene(const SceneFile& scene, const std::string& origin, const SettingOrigins& origins) {
   if (scene.title.empty()) throw InputError(quoted(origin) + ": title: is missing");
+  if (!scene.trainPreset.empty() && !scene.presets.count(scene.trainPreset))
+    throw InputError(placeOf(origin, origins, {"train_preset"}) + ": this scene has no preset '" + quoted(scene.trainPreset) + "'");
   if (scene.params.model == ModelKind::kSuture) checkSuture(scene.params, origin, origins);
   const Vec3 view = scene.camera.target - scene.camera.eye;  // [m]
   if (!(view.cross(scene.camera.up).norm() > 1e-6 * view.norm()))

@@ -9,6 +9,7 @@ void addScene(SceneFile& scene, Fields& fields) {
   fields.insert(fields.end(), {
       {"title", &scene.title, 0, 200, "characters"},
       {"technique", &scene.technique, 0, 1000, "characters"},
+      {"train_preset", &scene.trainPreset, 0, 100, "characters"},
       {"sim.model", &scene.params.model, 0, 0, ""},
       {"sim.dt", &scene.params.dt, 1e-5, 2e-2, "s"},
       {"sim.gravity", &scene.params.gravity, -100, 100, "m/s^2"},

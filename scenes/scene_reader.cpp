@@ -79,9 +79,10 @@ void applyFile(const toml::table& root, const std::string& origin, SceneFile& sc
 }
 
 /// The settings of a preset, named once each.
-const std::vector<std::string>& presetOf(const SceneFile& scene, const std::string& name, const std::string& where) {
+std::vector<std::string> presetOf(const SceneFile& scene, const std::string& name, const std::string& where) {
   const auto found = scene.presets.find(name);
   if (found != scene.presets.end()) return found->second;
+  if (name == "default") return {};            // the scene as it is
   std::string known;
   for (const auto& [other, settings] : scene.presets) known += (known.empty() ? "" : ", ") + other;
   throw InputError(where + ": this scene has no such preset; it has " + (known.empty() ? "none" : known));

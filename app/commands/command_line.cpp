@@ -47,7 +47,8 @@ void parseSize(const std::string& text, int& width, int& height) {
 void addPreset(CLI::App& command, std::vector<std::string>& overrides) {
   command.add_option_function<std::string>(
       "--preset", [&overrides](const std::string& name) { overrides.insert(overrides.begin(), "preset=" + name); },
-      "settings that the scene keeps under this name: friction (knots that hold by friction, where the scene is sewn so) or paper");
+      "settings that the scene keeps under this name: beginner (knots that the program places), friction (scene and thread made for knots that\n"
+      "hold by friction) or paper; default: the scene as it is, which `train` takes only where the scene names no other");
 }
 
 void addPlayOptions(CLI::App& command, PlayOptions& play) {
@@ -117,8 +118,8 @@ void addBench(CLI::App& app, CommandLine& line) {
   CLI::App* command = app.add_subcommand("bench", "what a physics step and a frame cost here, beside the published figures");
   command->add_option("--scene", line.bench.scene, "one scene only");
   command->add_option("--steps", line.bench.steps, "steps to measure")->capture_default_str()->check(CLI::Range(1, 100'000'000));
-  command->add_option("--preset", line.bench.preset, "default, or paper or friction where the scene has it; all when not given")
-      ->check(CLI::IsMember({"default", "paper", "friction"}));
+  command->add_option("--preset", line.bench.preset, "default, or beginner, paper or friction where the scene has it; all when not given")
+      ->check(CLI::IsMember({"default", "beginner", "paper", "friction"}));
   CLI::Option* stress = command->add_option("--stress", line.bench.stress, "stitch after stitch to fifty: what a step costs, as in the paper's figures 20 to 23")
                             ->check(CLI::IsMember({"two-bodies", "one-body"}))->excludes("--scene", "--preset");
   command->add_option("--plot", line.bench.plot, "SVG file for the curve (default: stress-<series>.svg)")->needs(stress);

@@ -7,6 +7,22 @@
 #include "app/scenario.h"
 
 namespace halsted::app {
+namespace {
+
+std::vector<std::string> presetNames(const scenes::SceneFile& scene) {
+  std::vector<std::string> names;
+  for (const auto& [name, settings] : scene.presets) names.push_back(name);
+  return names;
+}
+
+std::string presetsText(const nlohmann::ordered_json& scene) {
+  std::string text;
+  for (const std::string name : scene["presets"])
+    text += (text.empty() ? "; presets: " : ", ") + name + (name == scene["train_preset"] ? " (trained with)" : "");
+  return text;
+}
+
+}  // namespace
 
 int listScenes(bool json) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -14,7 +30,7 @@ int listScenes(bool json) {
     const Scenario scenario = scenarioFromScene(folder, {}, {});
     const scenes::SceneFile& scene = scenario.scene;
     list.push_back({{"name", scene.name}, {"title", scene.title}, {"technique", scene.technique}, {"particles", tissueParticles(scenario.model)},
-                    {"tets", scenario.model.mesh.tets.size()}, {"thread_nodes", threadNodes(scenario.model)}});
+                    {"tets", scenario.model.mesh.tets.size()}, {"thread_nodes", threadNodes(scenario.model)}, {"presets", presetNames(scene)}, {"train_preset", scene.trainPreset}});
   }
   if (json) {
     std::printf("%s\n", list.dump(2).c_str());
@@ -22,9 +38,9 @@ int listScenes(bool json) {
   }
   if (list.empty()) std::printf("No scenes in %s.\n", scenes::scenesDirectory().c_str());
   for (const auto& scene : list)
-    std::printf("%-16s %s\n%-16s %s\n%-16s %d particles, %d tets, %d thread nodes\n", scene["name"].get<std::string>().c_str(),
+    std::printf("%-16s %s\n%-16s %s\n%-16s %d particles, %d tets, %d thread nodes%s\n", scene["name"].get<std::string>().c_str(),
                 scene["title"].get<std::string>().c_str(), "", scene["technique"].get<std::string>().c_str(), "",
-                scene["particles"].get<int>(), scene["tets"].get<int>(), scene["thread_nodes"].get<int>());
+                scene["particles"].get<int>(), scene["tets"].get<int>(), scene["thread_nodes"].get<int>(), presetsText(scene).c_str());
   return 0;
 }
 

@@ -1,4 +1,5 @@
 /// `halsted train`: a session in real time, in a window or without one. Main thread: options, window, start and stop.
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
@@ -138,12 +139,23 @@ std::array<DeviceChoice, kHands> chosenDevices(const TrainOptions& options) {
   return devices;
 }
 
+/// What was asked for; where no preset was named, the one that the scene keeps for `train` comes first, so that what was set wins over it.
+std::vector<std::string> trainOverrides(const TrainOptions& options) {
+  std::vector<std::string> overrides = options.overrides;
+  const auto names = [](const std::string& text) { return text.rfind("preset=", 0) == 0; };
+  const std::string preset = scenes::readScene(options.scene, overrides).trainPreset;
+  if (preset.empty() || std::any_of(overrides.begin(), overrides.end(), names)) return overrides;
+  overrides.insert(overrides.begin(), "preset=" + preset);
+  std::fprintf(stderr, "halsted: %s is trained with its preset '%s'; --preset default for the scene as it is\n", options.scene.c_str(), preset.c_str());
+  return overrides;
+}
+
 }  // namespace
 
 int train(const TrainOptions& options) {
   drawOnOneThread();                           // before any thread or OpenGL context
   const std::array<DeviceChoice, kHands> devices = chosenDevices(options);
-  const Scenario scenario = scenarioFromScene(options.scene, options.overrides, devices);
+  const Scenario scenario = scenarioFromScene(options.scene, trainOverrides(options), devices);
   setUpLog(options.verbose);
   std::unique_ptr<Window> window;
   const int moved = devices[kLeft].mover == Mover::kMouse ? kLeft : kRight;

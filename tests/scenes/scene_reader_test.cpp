@@ -131,6 +131,13 @@ TEST(SceneReader, AppliesThePresetThatAnOverrideNamesWhereItStands) {
   expectRefused([&] { withTitle(text, {"preset=wrong"}); }, {"thread.colour"});
 }
 
+TEST(SceneReader, KnowsThePresetThatIsTrainedAndTheSceneAsItIs) {
+  const SceneFile scene = withTitle("train_preset = \"easy\"\n[thread]\nnodes = 60\n[preset]\neasy = [\"thread.nodes=90\"]\n", {"preset=default"});
+  EXPECT_EQ(scene.trainPreset, "easy");
+  EXPECT_EQ(scene.params.thread.nodes, 60);
+  expectRefused([&] { withTitle("train_preset = \"hard\"\n[preset]\neasy = []\n"); }, {":2: train_preset", "no preset 'hard'"});
+}
+
 TEST(SceneReader, LetsExplicitKeysWinOverTheMaterial) {
   const SceneFile scene = withTitle("[tissue]\ndensity = 999\nmaterial = \"rectosigmoid\"");
   EXPECT_DOUBLE_EQ(scene.params.tissue.youngsModulus, 5.18e6);

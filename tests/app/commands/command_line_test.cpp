@@ -97,6 +97,21 @@ TEST(CommandLine, ScenesListsPurseStringWithItsSize) {
   EXPECT_GT((*scene)["tets"].get<int>(), 1000);
 }
 
+/// Where knots of friction run slower than real time a session has the beginner's, unless something else is asked for.
+TEST(CommandLine, TrainTakesTheLevelThatKeepsRealTime) {
+  const auto assistOf = [](const std::vector<std::string>& more) {
+    std::vector<std::string> command{"train", "stay", "--headless", "--seconds", "0.3", "--size", "320x180", "--json"};
+    command.insert(command.end(), more.begin(), more.end());
+    const ProcessResult result = runHalsted(command);
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    return nlohmann::json::parse(result.output)["assist"].get<std::string>();
+  };
+  EXPECT_EQ(assistOf({}), "knot");
+  EXPECT_EQ(assistOf({"--preset", "default"}), "none");
+  EXPECT_EQ(assistOf({"--preset", "friction"}), "none");
+  EXPECT_EQ(assistOf({"--set", "thread.assist=none"}), "none");
+}
+
 TEST(CommandLine, BenchPrintsItsRows) {
   const ProcessResult result = runHalsted({"bench", "--scene", "purse_string", "--steps", "20", "--json"});
   ASSERT_EQ(result.exitCode, 0) << result.errors;
