@@ -10,6 +10,8 @@
 namespace halsted::scenes {
 namespace {
 
+constexpr int kMostAdded = 2;                  // throws
+
 bool begin(const Scene& s, std::string& failure) {
   KnotPlan& k = s.memory.knot;
   if (s.state.strand.holeCount < 2) { failure = "there is no stitch in the tissue"; return false; }
@@ -19,8 +21,19 @@ bool begin(const Scene& s, std::string& failure) {
   k.side = f.side;
   k.up = f.up;
   k.handle = f.front;
+  k.floor = overEdges(s);
   for (int h = 0; h < kHands; ++h) s.memory.goal[h] = above(s.memory.hand[h].command, 0.02);
   goTo(s, driverHoldsLong(s) ? kLiftIt : s.state.tools[kRight].closed ? kFreeDriver : kFreeLong);
+  return true;
+}
+
+/// A knot in which nothing locks, as far as can be seen, gets another throw. Throws of one sense are not meant to lock.
+bool wantsAnother(const Scene& s) {
+  KnotPlan& k = s.memory.knot;
+  const bool meant = s.action.tie.find('=') != std::string::npos;
+  if (!meant || locks(s.state.knot) > 0 || k.added == kMostAdded) return false;
+  ++k.added;
+  k.throws.push_back({1, k.throws.back().over});
   return true;
 }
 
@@ -61,7 +74,7 @@ bool runTie(const Scene& s, std::string& failure) {
   else if (e.phase == kLayTail) { if (layTail(s)) goTo(s, kLetTail); }
   else if (e.phase == kLetTail) nextThrow(s);
   else if (drawTight(s)) {
-    if (e.knot.current + 1 == e.knot.throws.size()) return true;
+    if (e.knot.current + 1 == e.knot.throws.size() && !wantsAnother(s)) return true;
     goTo(s, kLayTail);
   }
   return false;

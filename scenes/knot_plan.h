@@ -18,9 +18,11 @@ std::vector<PlannedThrow> parseThrows(const std::string& notation);
 struct KnotPlan {
   std::vector<PlannedThrow> throws;
   std::size_t current = 0;
+  int added = 0;                               // throws beyond those planned, as nothing locked
   Vec3 up = Vec3::UnitZ();                     // [1] away from the walls
   Vec3 handle = -Vec3::UnitY();                // [1] along the wound, toward the hand that holds the driver
   Vec3 side = Vec3::UnitX();                   // [1] across the wound, from the stitch toward the strand of the long end below this throw
+  double floor = -1.0;                         // [m] above the stitch: the winding hand goes no lower
   double swept = 0.0;                          // [rad] of this throw's winding
   double given = 0.0;                          // [m] by which the winding hand has given way
   int misses = 0;                              // of the tail, or of a loop that clings or slides off, in this throw

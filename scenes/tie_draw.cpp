@@ -17,7 +17,7 @@ constexpr double kClings = 3.0;                // [s] after which it is wound ag
 constexpr double kOver = 18e-3, kBeyond = 12e-3;   // [m] of the other hand above the stitch and past the tips meanwhile
 constexpr double kDraw = 0.03, kDrawTaut = 5e-3;   // [m/s] of slack thread; of thread that it feels
 constexpr double kHoldTail = 0.15;             // [1] of that for the tail: it is to stay short
-constexpr double kReach = 0.09;                // [m] as far as an arm draws
+constexpr double kReach = 0.09, kBehind = 10e-3;   // [m] as far as an arm draws; that the hand lags where its device stops
 constexpr double kFeel = 0.5;                  // [N]
 constexpr double kLaySide = 0.5, kLayUp = 0.2; // [1] of the way toward the surgeon
 constexpr double kHoldTight = 0.3;             // [s]
@@ -56,8 +56,9 @@ void drawThrough(const Scene& s) {
     if (!drawn) { moveHand(s, kLeft, keepTurn(s, kLeft, p + kOver * k.up - kBeyond * k.handle), kCareful); return; }
     drawOffTips(s);
   } else {
-    const bool right = moveHand(s, kRight, keepTurn(s, kRight, p + kAside * k.side + kLow * k.up), kCareful);
-    const bool left = moveHand(s, kLeft, keepTurn(s, kLeft, p - 2.0 * kAside * k.side + kLow * k.up), kMove);
+    const double low = std::fmax(kLow, k.floor);   // [m]
+    const bool right = moveHand(s, kRight, keepTurn(s, kRight, p + kAside * k.side + low * k.up), kCareful);
+    const bool left = moveHand(s, kLeft, keepTurn(s, kLeft, p - 2.0 * kAside * k.side + low * k.up), kMove);
     if (!right || !left) return;
     for (int h = 0; h < kHands; ++h) e.goal[h] = e.hand[h].command;
     e.knot.drawn = e.knot.felt = {};
@@ -66,17 +67,20 @@ void drawThrough(const Scene& s) {
   }
 }
 
-/// Each hand draws its end until it feels the tension; true once both have held it for a moment.
+/// Each hand draws its end until it feels the tension; true once both have held it for a moment. The tail is to stay short and comes
+/// slowly, unless the other hand's device has come to its stop.
 bool drawTight(const Scene& s) {
   ExpertState& e = s.memory;
   KnotPlan& k = e.knot;
-  bool tight = true;
+  bool tight = true, stopped = false;          // the left hand's, as it comes first
   for (int h = 0; h < kHands; ++h) {
     feel(k.felt[h], s.state.tools[h].threadForce.norm(), s.dt, kFeelTime);
     const double lack = (s.action.tension - k.felt[h]) / kFeel;   // [1]
-    const double pace = std::fmax(-1.0, std::fmin(h == kRight ? kHoldTail : 1.0, lack));   // [1]
-    k.drawn[h] = std::fmin(kReach, std::fmax(0.0, k.drawn[h] + pace * (k.felt[h] > kOff ? kDrawTaut : kDraw) * s.dt));
-    tight = tight && (lack < 0.2 || k.drawn[h] >= kReach);
+    const double pace = std::fmax(-1.0, std::fmin(h == kRight && !stopped ? kHoldTail : 1.0, lack));   // [1]
+    stopped = (e.hand[h].command.position - s.state.tools[h].proxy.position).norm() > kBehind;
+    const double by = pace * (k.felt[h] > kOff ? kDrawTaut : kDraw) * s.dt;   // [m]
+    if (!stopped || by < 0.0) k.drawn[h] = std::fmin(kReach, std::fmax(0.0, k.drawn[h] + by));
+    tight = tight && (lack < 0.2 || stopped || k.drawn[h] >= kReach);
     const Vec3 way = (h == kLeft ? -1.0 : 1.0) * k.side;
     moveHand(s, h, {e.goal[h].position + k.drawn[h] * way, e.goal[h].orientation}, 0.1);
   }

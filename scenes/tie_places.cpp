@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/contact/surface.h"
 #include "sim/portable_math.h"
 #include "sim/strand/strand.h"
 #include "sim/suture/holes.h"
@@ -21,8 +22,10 @@ constexpr double kSlack = 6e-3;                // [m] kept in the long end so th
 constexpr double kLoop = 2.3e-3;               // [m] radius of a turn about the jaws
 constexpr double kNearest = 6e-3, kFarthest = 35e-3;   // [m] of the winding hand from the driver
 constexpr double kPerTurn = 20e-3;             // [m] of the long end that a second turn takes
-constexpr double kSpare = 2e-3;                // [m] of the long end left when it has gone round
+constexpr double kSpare = 6e-3;                // [m] of the long end left when it has gone round: turns are wider than the jaws
 constexpr double kJaws = 30e-3;                // [m] of the driver that may have thread wound about it
+constexpr double kAbout = 25e-3, kOverTissue = 6e-3;   // [m] of tissue about the stitch; of the winding hand above it
+constexpr double kCling = 20e-3;               // [m] from the jaws; a needle that is cut off falls half a metre meanwhile
 constexpr double kFromEnd = 5e-3;              // [m] of tail beyond the jaws
 constexpr double kLongTail = 40e-3, kBeyondGrip = 0.25;   // [m] of tail; of one that is longer [1]
 
@@ -61,6 +64,17 @@ Vec3 stitch(const Scene& s) {
   return 0.5 * (holePoint(s.model, tailHole(s), x) + holePoint(s.model, longHole(s), x));
 }
 
+double overEdges(const Scene& s) {             // [m]
+  if (!s.state.cut) return KnotPlan{}.floor;
+  const Vec3 from = stitch(s);
+  double high = 0.0;                           // [m]
+  for (int v : s.model.surface.vertices) {
+    const Vec3 off = s.state.tissue.position[v] - from;   // [m]
+    if (off.norm() < kAbout && exposedVertex(s.model.surface, s.state.tissue.gone, v)) high = std::fmax(high, off.dot(s.memory.knot.up));
+  }
+  return high + kOverTissue;
+}
+
 Vec3 driverShaft(const Scene& s) { return (s.memory.knot.handle + kRise * s.memory.knot.up).normalized(); }
 
 Vec3 driverPlace(const Scene& s) { return stitch(s) + heightOf(s) * upward(s) - kUpJaws * driverShaft(s); }
@@ -86,6 +100,11 @@ bool holdsLong(const Scene& s) {
   const double from = longHole(s).coordinate;  // [m]
   return c > from + 0.6 * longEnd(s) && c < std::fmin(from + 1.2 * longEnd(s), threadEnd(s.model, s.state, from));
 }
+bool needleClings(const Scene& s) {
+  const StrandModel& m = s.model.strand;
+  const double away = (strand(s).needle.apply(m.needleCentre) - s.state.tools[kLeft].proxy.position).norm();   // [m]
+  return threadEnd(s.model, s.state, longHole(s).coordinate) < m.length && away < kCling;
+}
 bool driverHoldsLong(const Scene& s) { return s.state.tools[kRight].threadCoordinate > longHole(s).coordinate; }
 bool holdsTail(const Scene& s) {
   const double c = s.state.tools[kRight].threadCoordinate;   // [m]
@@ -105,6 +124,8 @@ Pose windingPose(const Scene& s, const Vec3& driver, double swept) {   // [m], [
     const double b = from.dot(out), rest = b * b - from.squaredNorm() + length * length;   // [m], [m^2]
     free = rest > 0.0 ? std::sqrt(rest) - b : kNearest;
   }
+  const double down = -out.dot(k.up), room = (loop - stitch(s)).dot(k.up) - k.floor;   // [1], [m] under the driver
+  if (down * free > room) free = room / down;  // slack rather than caught on the edges
   const double distance = std::fmin(kFarthest, std::fmax(kNearest, free));   // [m]
   return laid(s, kLeft, loop + distance * (out - kSlant * shaft), {leftShaft(s, swept < wholeTurns(s) ? kWindRise : kLeftRise), k.side});
 }

@@ -13,6 +13,8 @@ const Hole& longHole(const Scene&);
 
 /// Middle between the two places where the ends leave the tissue.
 Vec3 stitch(const Scene&);                     // [m]
+/// Clear of the edges of a cut about the stitch: so high above it, or far below it where nothing is cut.
+double overEdges(const Scene&);                // [m]
 /// The driver's shaft, from the tips to the handle.
 Vec3 driverShaft(const Scene&);                // [1]
 
@@ -31,6 +33,8 @@ double wholeTurns(const Scene&);               // [rad]
 double tailPlace(const Scene&);                // [m]
 double longPlace(const Scene&);                // [m]
 bool holdsLong(const Scene&);
+/// Has the needle, cut off, stayed at the jaws that hold the long end?
+bool needleClings(const Scene&);
 bool driverHoldsLong(const Scene&);
 bool holdsTail(const Scene&);
 /// Does the long end still lie about the driver, on the side of its tips?

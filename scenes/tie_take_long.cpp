@@ -38,7 +38,7 @@ void takeLongEnd(const Scene& s, std::string& failure) {
     driver.jaw = s.inPhase < 0.2 ? 0.0 : 1.0;  // a squeeze unlocks a loaded driver
     if (s.inPhase > 0.5 && moveHand(s, kRight, e.goal[kRight], kMove)) goTo(s, kFreeLong);
   } else if (e.phase == kFreeLong) {
-    if (holdsLong(s)) { beginWinding(s); return; }
+    if (s.inPhase < 1.5 * s.dt && holdsLong(s) && !needleClings(s)) { beginWinding(s); return; }   // that would be wound, too
     e.hand[kLeft].jaw = 1.0;
     if (s.inPhase > 0.4 && moveHand(s, kLeft, e.goal[kLeft], kMove)) goTo(s, kTakeLong);
   } else if (pickUp(s, kLeft, threadGrip(s, kLeft, longPlace(s)), kTakeLong)) {
