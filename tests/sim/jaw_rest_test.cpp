@@ -68,7 +68,7 @@ TEST(Jaws, RestOnWhatLiesBetweenThemInsteadOfCrushingIt) {
 
 TEST(Jaws, CloseWhereNothingLiesBetweenThem) {
   TwoStrands w;
-  w.input.tools[kLeft].pose.position.y() += 60e-3;
+  w.input.tools[kLeft].pose.position.z() += 60e-3;   // back along its shaft, off the thread
   w.run(50);
   w.close();
   EXPECT_EQ(w.state.tools[kLeft].threadCoordinate, -1.0);
