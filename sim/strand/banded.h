@@ -28,6 +28,9 @@ class BandedMatrix {
     return j - i > kHalf ? 0.0 : entries_[static_cast<std::size_t>(i) * kStride + (j - i)];
   }
 
+  /// Rows of kStride, A(i, i) first; what would lie beyond the last column is zero.
+  const std::vector<double>& rows() const { return entries_; }   // [1]
+
   /// LDL^T in place, then x := A^-1 x. False when a pivot is not positive (the matrix is then useless).
   bool factorAndSolve(double* x);
 

@@ -45,9 +45,7 @@ void CoupledSolve::add(int nodeI, int nodeJ, const Mat3& block) {
 }
 
 void CoupledSolve::copyBand(const BandedMatrix& band) {
-  const int size = 3 * blocks_;
-  for (int i = 0; i < size; ++i)
-    for (int k = 0; k <= kHalf; ++k) band_[static_cast<std::size_t>(i) * kStride + k] = i + k < size ? band.at(i, i + k) : 0.0;
+  std::copy(band.rows().begin(), band.rows().end(), band_.begin());
   std::fill(border_.begin(), border_.end(), 0.0);
   for (const Stretch& s : stretches_) {
     if (s.first < 2) continue;

@@ -259,8 +259,10 @@ Outcome iterate(Assembly& assembly, const Vec3& gravity, StrandState& s, NeedleI
     assembly.bending();
     assembly.swage(needle);
     assembly.links(needle);
-    if (touch) assembleSnapDrag(m, s, assembly.dt(), *touch, w);
-    if (touch) assembleThreadContacts(w.iterate, w.matrix, w.rhs, touch->work);
+    if (touch) {
+      assembleSnapDrag(m, s, assembly.dt(), *touch, w);
+      assembleThreadContacts(w.iterate, w.matrix, w.rhs, touch->work);
+    }
     if (!solveSystem(w, touch)) return Outcome::kSingular;
     writeTensions(m, w, touch, s);
     for (int i = 0; i < m.nodes; ++i) w.iterate[i] += Vec3(w.rhs[3 * i], w.rhs[3 * i + 1], w.rhs[3 * i + 2]);

@@ -32,13 +32,6 @@ void boundPieces(const StrandModel& m, const StrandState& s, ThreadContactWork& 
   }
 }
 
-/// The first piece after `p` that may touch it: a thread cannot be bent tighter than its own width.
-int firstBeyond(const StrandModel& m, int p) {
-  int q = p + 3;
-  while (q < m.nodes - 2 && m.place[q + 1] - m.place[p + 1] <= 4.0 * m.radius) ++q;
-  return q;
-}
-
 double relativeSpeed(const StrandState& s, int p, int q) {
   return (curvePoint(s.velocity, curveWeights(p, 0.5)) - curvePoint(s.velocity, curveWeights(q, 0.5))).norm();
 }
@@ -63,7 +56,7 @@ class Search {
     const int pieces = model_.nodes - 2;
     const int endA = std::min(pieces, kChunk * (a + 1)), endB = std::min(pieces, kChunk * (b + 1));
     for (int p = kChunk * a; p < endA; ++p)
-      for (int q = std::max(kChunk * b, firstBeyond(model_, p)); q < endB; ++q) {
+      for (int q = std::max(kChunk * b, work_.firstBeyond[p]); q < endB; ++q) {
         if (ends(p) || ends(q)) continue;
         const double sum = work_.pieceRadius[p] + work_.pieceRadius[q] + reach_ + 2.4 * dt_ * work_.fastest;   // [m]
         if ((work_.pieceCentre[p] - work_.pieceCentre[q]).squaredNorm() > sum * sum) continue;
@@ -78,8 +71,10 @@ class Search {
     const double sum = work_.pieceRadius[own] + work_.pieceRadius[other] + reach;   // [m]
     if ((work_.pieceCentre[own] - work_.pieceCentre[other]).squaredNorm() > sum * sum) return true;
     const int count = work_.samples[own];
+    const double within = work_.pieceRadius[other] + reach + kRounding;   // [m]
     for (int k = 0; k < count; ++k) {
       const Vec3 point = curvePoint(state_.position, curveWeights(own, (k + 0.5) / count));
+      if ((point - work_.pieceCentre[other]).squaredNorm() > within * within) continue;
       const double place = nearestOnPiece(state_.position, other, point);   // [1]
       if (place < 0.0) continue;
       const double squared = (point - curvePoint(state_.position, curveWeights(other, place))).squaredNorm();   // [m^2]

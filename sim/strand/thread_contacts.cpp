@@ -99,19 +99,28 @@ void keepSolid(const StrandModel& m, const StrandState& s, std::array<int, 2> wh
   keepPoint(c, touch);
 }
 
+/// Whether a sphere is farther than `reach` from where a solid was when the step began.
+bool clearOf(const ThreadSolid& body, const Vec3& centre, double reach) {   // [m]
+  const double f = closestOnSegment(centre, body.fromA, body.fromB);   // [1]
+  return (centre - body.fromA - f * (body.fromB - body.fromA)).squaredNorm() > reach * reach;
+}
+
 void findSolids(const StrandModel& m, const StrandState& s, double dt, ThreadTouch& touch) {
-  const int solids = static_cast<int>(touch.work.solids.size());
+  const ThreadContactWork& w = touch.work;
+  const int solids = static_cast<int>(w.solids.size()), pieces = m.nodes - 2;
   for (int solid = 0; solid < solids; ++solid) {
-    const ThreadSolid& body = touch.work.solids[solid];
+    const ThreadSolid& body = w.solids[solid];
     const double swept = std::max((body.a - body.fromA).norm(), (body.b - body.fromB).norm());   // [m]
-    for (int p = 0; p < m.nodes - 2; ++p) {
+    const double reach = body.radius + 2.0 * m.radius + 1.5 * (dt * w.fastest + swept);          // [m]
+    for (int p = 0; p < pieces; ++p) {
+      const int chunk = p / kPiecesPerChunk;
+      if (p % kPiecesPerChunk == 0 && clearOf(body, w.chunkCentre[chunk], reach + w.chunkRadius[chunk] + kRounding)) {
+        p += kPiecesPerChunk - 1;
+        continue;
+      }
       if (m.place[p + 1] > body.freeFrom && m.place[p + 1] < body.freeTo) continue;
-      if (touch.state.cut[p] || touch.state.cut[p + 1]) continue;
-      const Vec3& centre = touch.work.pieceCentre[p];
-      const double f = closestOnSegment(centre, body.fromA, body.fromB);   // [1]
-      const double reach = body.radius + 2.0 * m.radius + touch.work.pieceRadius[p] + 1.5 * (dt * touch.work.fastest + swept);   // [m]
-      if ((centre - body.fromA - f * (body.fromB - body.fromA)).squaredNorm() > reach * reach) continue;
-      for (int k = 0; k < touch.work.samples[p]; ++k) keepSolid(m, s, {p * kMostSamples + k, solid}, touch, dt);
+      if (touch.state.cut[p] || touch.state.cut[p + 1] || clearOf(body, w.pieceCentre[p], reach + w.pieceRadius[p])) continue;
+      for (int k = 0; k < w.samples[p]; ++k) keepSolid(m, s, {p * kMostSamples + k, solid}, touch, dt);
     }
   }
 }
@@ -161,6 +170,13 @@ void addCross(const TouchingPoint& c, const Mat3& stiffness, CoupledSolve& coupl
     }
 }
 
+/// A thread cannot be bent tighter than its own width.
+int firstBeyond(const StrandModel& m, int p) {
+  int q = p + 3;
+  while (q < m.nodes - 2 && m.place[q + 1] - m.place[p + 1] <= 4.0 * m.radius) ++q;
+  return q;
+}
+
 }  // namespace
 
 ThreadContactState restContacts(const StrandModel& m) {
@@ -183,6 +199,7 @@ ThreadContactWork prepareContactWork(const StrandModel& m, const ThreadContactPa
   w.chunkRadius.assign(chunks, 0.0);
   for (int p = 0; p < pieces; ++p) {
     w.pieceLength.push_back(0.5 * (m.rest[p] + m.rest[p + 1]));
+    w.firstBeyond.push_back(firstBeyond(m, p));
     w.samples.push_back(std::clamp(static_cast<int>(w.pieceLength[p] / m.radius) + 1, kFewestSamples, kMostSamples));
   }
   w.recordOfSample.assign(pieces * kMostSamples, -1);

@@ -80,6 +80,7 @@ struct ThreadContactWork {
   std::vector<Vec3> chunkCentre, pieceCentre;  // [m]
   std::vector<double> chunkRadius, pieceRadius, pieceLength;   // [m]; at rest
   std::vector<std::int32_t> samples;           // of each piece: no farther apart than the thread is thick
+  std::vector<std::int32_t> firstBeyond;       // after each piece, the first that may touch it
   std::vector<std::int32_t> recordOfSample, nextRecord;
   std::vector<double> tension;                 // [N] at the start of the step
   std::vector<double> allowance;               // [m] per piece: how far it may stray in this step (strand_trust.h)
