@@ -15,10 +15,11 @@ constexpr double kLoose = 0.9;                 // [1] of the way that its thread
 constexpr double kByTheNeedle = 3e-3;          // [m] no nearer to it
 constexpr double kSamePlace = 10e-3;           // [m] of thread: farther off it is another turn of it
 constexpr double kStub = 50e-3;                // [m] of thread left at the stitch where no hand holds it
-constexpr double kTractionSpeed = 0.015, kTractionReach = 0.08;  // [m/s] [m]
+constexpr double kSlackSpeed = 0.015, kTautSpeed = 1.5e-3;   // [m/s] of slack thread; of thread that it feels: faster, two hands on one stitch see-saw
+constexpr double kOff = 0.1, kTractionReach = 0.08;   // [N] felt of thread that comes by itself; [m]
 constexpr double kMostGiven = 0.02;            // [m] a tail that was taken too tight is let back
 constexpr double kFeelTime = 0.1, kFeel = 0.3; // [s] [N]
-constexpr double kHeld = 2.0;                  // [s]
+constexpr double kPulled = 0.85, kHeld = 2.0;  // [1] of the tension that counts as it; [s]
 constexpr int kAttempts = 4;
 
 enum CutPhase { kHang, kFree = kHang + kHangingPhases, kOver, kDown, kClose, kUp };
@@ -110,8 +111,8 @@ bool runTraction(const Scene& s, std::string& failure) {
     if (s.state.tools[h].threadCoordinate < 0.0) { failure = "a tail has slipped out of the jaws"; return false; }
     feel(e.felt[h], s.state.tools[h].threadForce.norm(), s.dt, kFeelTime);
     const double pace = std::fmax(-1.0, std::fmin(1.0, (s.action.tension - e.felt[h]) / kFeel));   // [1]
-    e.drawn[h] = std::fmin(kTractionReach, std::fmax(-kMostGiven, e.drawn[h] + pace * kTractionSpeed * s.dt));
-    pulled = pulled && e.felt[h] > 0.7 * s.action.tension;
+    e.drawn[h] = std::fmin(kTractionReach, std::fmax(-kMostGiven, e.drawn[h] + pace * (e.felt[h] > kOff ? kTautSpeed : kSlackSpeed) * s.dt));
+    pulled = pulled && e.felt[h] > kPulled * s.action.tension;
     const Vec3 way = Vec3(h == kLeft ? -0.3 : 0.3, 0.6, 0.7).normalized();
     moveHand(s, h, {e.goal[h].position + e.drawn[h] * way, e.goal[h].orientation}, 0.1);
   }

@@ -145,10 +145,18 @@ double rimToRod(const Model& m, std::span<const Vec3> x) {
   return sum / static_cast<double>(m.mesh.rim.size());
 }
 
-/// Tension in the thread outside the first and the last hole: what the two tails carry [N].
-std::array<double, 2> tailTensions(const Model& m, const StrandState& s) {
-  if (s.holeCount == 0) return {0.0, 0.0};
-  return {strandTension(m.strand, s, s.holes[0].coordinate, -1), strandTension(m.strand, s, s.holes[s.holeCount - 1].coordinate, 1)};
+/// What the two tails carry where a hand holds them, as a knot bears what is drawn at it; just outside the first and the last hole where none
+/// does.  [N]
+std::array<double, 2> tailTensions(const Model& m, const State& s) {
+  if (s.strand.holeCount == 0) return {0.0, 0.0};
+  const double first = s.strand.holes[0].coordinate, last = s.strand.holes[s.strand.holeCount - 1].coordinate;   // [m]
+  std::array<double, 2> tension{strandTension(m.strand, s.strand, first, -1), strandTension(m.strand, s.strand, last, 1)};
+  for (const ToolState& t : s.tools) {
+    if (t.threadCoordinate < 0.0) continue;
+    if (t.threadCoordinate < first) tension[0] = strandTension(m.strand, s.strand, t.threadCoordinate, 1);
+    if (t.threadCoordinate > last) tension[1] = strandTension(m.strand, s.strand, t.threadCoordinate, -1);
+  }
+  return tension;
 }
 
 void measureSeam(const SeamMetrics& seam, int lastBite, StepOutput& out) {
@@ -170,7 +178,7 @@ void measureSuture(const Model& m, State& s, StepOutput& out) {
   metrics.openingArea = enclosedArea(edgeOf(m, s, 0), s.tissue.position);
   metrics.restOpeningArea = m.restOpening;
   for (double t : s.strand.tension) metrics.peakTension = std::fmax(metrics.peakTension, t);
-  const auto tails = tailTensions(m, s.strand);
+  const auto tails = tailTensions(m, s);
   const auto set = [&](Quantity q, double value) { out.seen[static_cast<int>(q)] = value; };
   const int last = metrics.biteCount < kMaxBites ? metrics.biteCount - 1 : kMaxBites - 1;
   set(Quantity::kNeedleHeld, s.tools[0].holdsNeedle + s.tools[1].holdsNeedle);

@@ -19,7 +19,7 @@ enum class Quantity : std::uint8_t {
   kStitchAcrossOpening,    // stitch_across_opening    [1] bites not adjacent to their predecessor
   kBiteSpacing,            // bite_spacing             [m] last gap between neighbouring bites
   kBiteDepth,              // bite_depth               [m] last distance from entry to the rim
-  kTailTension,            // tail_tension             [N] the smaller of the two tails' tensions
+  kTailTension,            // tail_tension             [N] the smaller of the two tails' tensions, where a hand holds them
   kPeakTension,            // peak_tension             [N] largest tension so far
   kOpeningFraction,        // opening_fraction         [1] opening area / its rest value
   kRimToAnvil,             // rim_to_anvil             [m] mean gap between the rim and the anvil's surface
