@@ -33,7 +33,8 @@ struct ExpertAction {
   double tilt = 0.0;                           // tilt_deg [deg] of the needle's plane, lifts the driver's shaft off the wall; of the pen toward the surgeon
   double width = 6e-3;                         // width_mm [m] entry to exit, clockwise along the rim
   double pull = 0.03;                          // pull_mm [m] of thread drawn through after the bite, or by "draw"
-  double tail = 0.0;                           // tail_mm [m] of thread between the stitch and the jaws that take it; 0: where it is clear and near
+  double tail = 0.0;                           // tail_mm [m] of thread between the stitch and the jaws that take it; 0: where it is clear and near. Of a knot tied by friction: a
+                                               // longer tail is drawn to this length first; 0: as it is
   double tension = 1.0;                        // tension_n [N] at which tightening stops
   double seconds = 60.0;                       // limit_s [s] of the action; of a hold, its length
   std::string tie;                             // tie: throws as surgeons write them, "1=1", "2=1=1", "1x1"

@@ -6,7 +6,6 @@
 namespace halsted::scenes {
 namespace {
 
-constexpr double kHanging = 22e-3;             // [m] below the driver that holds it
 constexpr double kByTheNeedle = 24e-3;         // [m] no nearer to it
 constexpr double kUp = 0.02, kSpeed = 0.08;    // [m] the hand rises when it has let go, [m/s]
 constexpr double kLetGo = 0.3;                 // [s]

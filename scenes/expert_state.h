@@ -108,6 +108,7 @@ bool pickUp(const Scene&, int hand, const Pose& grip, int first);
 /// The driver holds the long end: the other hand lets go of what it holds and takes the thread that hangs from the driver; true once it
 /// has. Uses `kHangingPhases` phases from `first` on.
 inline constexpr int kHangingPhases = 4;
+inline constexpr double kHanging = 22e-3;      // [m] below the driver that holds it
 bool takeHanging(const Scene&, int first);
 Pose parked(int hand);
 /// Grip on the thread at a coordinate: from the surgeon's side, jaws opening across the thread, whichever way round is nearer.

@@ -65,8 +65,10 @@ bool runTie(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   if (e.phase != kLook && s.state.strand.holeCount < 2) { failure = "the thread has left the tissue"; return false; }
   if (e.phase == kLook) begin(s, failure);
+  else if (e.phase < kLiftIt) takeNearer(s);
   else if (e.phase < kFreeDriver) handOver(s);
   else if (e.phase <= kTakeLongClose) takeLongEnd(s, failure);
+  else if (e.phase == kShorten) shortenTail(s);
   else if (e.phase <= kWind) wind(s);
   else if (e.phase <= kClose) fetchTail(s, failure);
   else if (e.phase == kUnwind) { if (letTailGo(s)) goTo(s, kLiftLong); }

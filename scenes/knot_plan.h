@@ -25,6 +25,7 @@ struct KnotPlan {
   double floor = -1.0;                         // [m] above the stitch: the winding hand goes no lower
   double swept = 0.0;                          // [rad] of this throw's winding
   double given = 0.0;                          // [m] by which the winding hand has given way
+  double lower = 0.0;                          // [m] by which the driver stands nearer to the stitch than its thread allows: its device has come to a stop
   int misses = 0;                              // of the tail, or of a loop that clings or slides off, in this throw
   std::array<double, kHands> drawn{}, felt{};  // [m], [N]
   double settled = 0.0;                        // [s]

@@ -17,7 +17,7 @@ constexpr double kClings = 3.0;                // [s] after which it is wound ag
 constexpr double kOver = 18e-3, kBeyond = 12e-3;   // [m] of the other hand above the stitch and past the tips meanwhile
 constexpr double kDraw = 0.03, kDrawTaut = 5e-3;   // [m/s] of slack thread; of thread that it feels
 constexpr double kHoldTail = 0.15;             // [1] of that for the tail: it is to stay short
-constexpr double kReach = 0.09, kBehind = 10e-3;   // [m] as far as an arm draws; that the hand lags where its device stops
+constexpr double kReach = 0.09;                // [m] as far as an arm draws
 constexpr double kFeel = 0.5;                  // [N]
 constexpr double kLaySide = 0.5, kLayUp = 0.2; // [1] of the way toward the surgeon
 constexpr double kHoldTight = 0.3;             // [s]

@@ -5,20 +5,25 @@
 namespace halsted::scenes {
 
 enum TiePhase {
-  kLook, kLiftIt, kHang, kFreeDriver = kHang + kHangingPhases, kFreeLong, kTakeLong, kTakeLongDown, kTakeLongClose,
-  kTurn, kLiftLong, kStand, kWind, kFollow, kOpen, kToTail, kClose, kThrough, kUnwind, kCross, kDrawTight, kLayTail, kLetTail
+  kLook, kNearer, kNearerDown, kNearerClose, kLiftIt, kHang, kFreeDriver = kHang + kHangingPhases, kFreeLong, kTakeLong, kTakeLongDown, kTakeLongClose,
+  kShorten, kTurn, kLiftLong, kStand, kWind, kFollow, kOpen, kToTail, kClose, kThrough, kUnwind, kCross, kDrawTight, kLayTail, kLetTail
 };
 
 inline constexpr double kMove = 0.08, kCareful = 0.03;   // [m/s] of a hand through the air; near thread
 inline constexpr double kFeelTime = 0.05;      // [s] over which a hand feels a force
+inline constexpr double kBehind = 10e-3;       // [m] that a hand lags where its device stops
 inline constexpr int kAttempts = 4;            // at each throw
 
 /// Begins a phase.
 void goTo(const Scene&, int phase);
 
-/// The long end comes into the winding hand: from the driver that holds it (to kHang + kHangingPhases), or from where it lies.
+/// The long end comes into the winding hand: from the driver that holds it (to kHang + kHangingPhases), which takes it first where that hand
+/// has it too far from the stitch; or from where it lies.
+void takeNearer(const Scene&);
 void handOver(const Scene&);
 void takeLongEnd(const Scene&, std::string& failure);
+/// The long end is drawn through the stitch until the tail is no longer than the action wants it.
+void shortenTail(const Scene&);
 /// It is wound round the driver, which then goes for the tail with the loop on its jaws.
 void wind(const Scene&);
 void fetchTail(const Scene&, std::string& failure);

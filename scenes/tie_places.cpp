@@ -22,7 +22,7 @@ constexpr double kSlack = 6e-3;                // [m] kept in the long end so th
 constexpr double kLoop = 2.3e-3;               // [m] radius of a turn about the jaws
 constexpr double kNearest = 6e-3, kFarthest = 35e-3;   // [m] of the winding hand from the driver
 constexpr double kPerTurn = 20e-3;             // [m] of the long end that a second turn takes
-constexpr double kSpare = 6e-3;                // [m] of the long end left when it has gone round: turns are wider than the jaws
+constexpr double kSpare = 3e-3;                // [m] of the long end left at each turn: turns are wider than the jaws
 constexpr double kJaws = 30e-3;                // [m] of the driver that may have thread wound about it
 constexpr double kAbout = 25e-3, kOverTissue = 6e-3;   // [m] of tissue about the stitch; of the winding hand above it
 constexpr double kCling = 20e-3;               // [m] from the jaws; a needle that is cut off falls half a metre meanwhile
@@ -50,8 +50,9 @@ Pose laid(const Scene& s, int hand, const Vec3& position, std::array<Vec3, 2> sh
 double longLength(const Scene& s) {
   return s.state.tools[kLeft].threadCoordinate - longHole(s).coordinate - kSlack - kPerThrow * s.memory.knot.current;
 }
+int turns(const Scene& s) { return s.memory.knot.throws[s.memory.knot.current].turns; }   // of this throw
 /// The driver above the stitch: so high that the thread is straight all the way round.  [m]
-double heightOf(const Scene& s) { return longLength(s) - kNearest - kSpare - kLoop * (wholeTurns(s) - 0.5 * kPi); }
+double heightOf(const Scene& s) { return longLength(s) - kNearest - kSpare * turns(s) - kLoop * (wholeTurns(s) - 0.5 * kPi) - s.memory.knot.lower; }
 
 }  // namespace
 
@@ -100,6 +101,7 @@ bool holdsLong(const Scene& s) {
   const double from = longHole(s).coordinate;  // [m]
   return c > from + 0.6 * longEnd(s) && c < std::fmin(from + 1.2 * longEnd(s), threadEnd(s.model, s.state, from));
 }
+bool holdsTooFar(const Scene& s) { return !holdsLong(s) && s.state.tools[kLeft].threadCoordinate > longPlace(s); }
 bool needleClings(const Scene& s) {
   const StrandModel& m = s.model.strand;
   const double away = (strand(s).needle.apply(m.needleCentre) - s.state.tools[kLeft].proxy.position).norm();   // [m]
@@ -130,7 +132,7 @@ Pose windingPose(const Scene& s, const Vec3& driver, double swept) {   // [m], [
   return laid(s, kLeft, loop + distance * (out - kSlant * shaft), {leftShaft(s, swept < wholeTurns(s) ? kWindRise : kLeftRise), k.side});
 }
 
-double wholeTurns(const Scene& s) { return 2.0 * kPi * s.memory.knot.throws[s.memory.knot.current].turns; }   // [rad]
+double wholeTurns(const Scene& s) { return 2.0 * kPi * turns(s); }   // [rad]
 
 Pose keepTurn(const Scene& s, int hand, const Vec3& position) { return {position, s.memory.hand[hand].command.orientation}; }
 

@@ -33,6 +33,8 @@ double wholeTurns(const Scene&);               // [rad]
 double tailPlace(const Scene&);                // [m]
 double longPlace(const Scene&);                // [m]
 bool holdsLong(const Scene&);
+/// The winding hand has the long end, farther from the stitch than that.
+bool holdsTooFar(const Scene&);
 /// Has the needle, cut off, stayed at the jaws that hold the long end?
 bool needleClings(const Scene&);
 bool driverHoldsLong(const Scene&);

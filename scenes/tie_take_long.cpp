@@ -1,4 +1,6 @@
 /// The long end of an instrument tie comes into the hand that winds it.
+#include <cmath>
+
 #include "scenes/tie_phases.h"
 #include "scenes/tie_places.h"
 #include "sim/strand/strand.h"
@@ -8,11 +10,30 @@ namespace halsted::scenes {
 namespace {
 
 constexpr double kLoose = 0.8;                 // [1] of the way that its thread allows: so high is it lifted
+constexpr double kMostPull = 1.5;              // [N] with which thread is drawn through the walls
+constexpr double kReach = 0.09, kPatience = 10.0;   // [m] as far as an arm draws; [s]
 
 /// The winding hand turns upright first, or its shaft would sweep through the tissue on its way to the far side.
 void beginWinding(const Scene& s) { goTo(s, standsUpright(s, kLeft) ? kLiftLong : kTurn); }
 
+/// The winding hand has the long end.
+void hasLongEnd(const Scene& s) {
+  const bool tooLong = s.action.tail > 0.0 && tailHole(s).coordinate > s.action.tail;
+  if (tooLong) goTo(s, kShorten); else beginWinding(s);
+}
+
+bool wantsNearer(const Scene& s) { return holdsTooFar(s) && !needleClings(s) && s.memory.knot.misses < kAttempts; }
+
 }  // namespace
+
+/// Let fall, the long end would lie across the tail, and a throw come about that nobody meant.
+void takeNearer(const Scene& s) {
+  ExpertState& e = s.memory;
+  if (!pickUp(s, kRight, threadGrip(s, kRight, longPlace(s) - kHanging), kNearer)) return;
+  if (!driverHoldsLong(s)) ++e.knot.misses;
+  e.goal[kRight] = above(e.hand[kRight].command, 0.02);
+  goTo(s, driverHoldsLong(s) ? kLiftIt : kFreeDriver);
+}
 
 /// Nothing is let fall: the driver lifts the long end that it holds, and the other hand takes what hangs from it.
 void handOver(const Scene& s) {
@@ -38,15 +59,31 @@ void takeLongEnd(const Scene& s, std::string& failure) {
     driver.jaw = s.inPhase < 0.2 ? 0.0 : 1.0;  // a squeeze unlocks a loaded driver
     if (s.inPhase > 0.5 && moveHand(s, kRight, e.goal[kRight], kMove)) goTo(s, kFreeLong);
   } else if (e.phase == kFreeLong) {
-    if (s.inPhase < 1.5 * s.dt && holdsLong(s) && !needleClings(s)) { beginWinding(s); return; }   // that would be wound, too
+    if (s.inPhase < 1.5 * s.dt && holdsLong(s) && !needleClings(s)) { hasLongEnd(s); return; }   // that would be wound, too
+    if (s.inPhase < 1.5 * s.dt && wantsNearer(s)) { goTo(s, kNearer); return; }
     e.hand[kLeft].jaw = 1.0;
     if (s.inPhase > 0.4 && moveHand(s, kLeft, e.goal[kLeft], kMove)) goTo(s, kTakeLong);
   } else if (pickUp(s, kLeft, threadGrip(s, kLeft, longPlace(s)), kTakeLong)) {
-    if (holdsLong(s)) { beginWinding(s); return; }
+    if (holdsLong(s)) { hasLongEnd(s); return; }
     if (++e.knot.misses > kAttempts) { failure = "the long end was not taken"; return; }
     e.goal[kLeft] = above(e.hand[kLeft].command, 0.02);
     goTo(s, kFreeLong);
   }
+}
+
+void shortenTail(const Scene& s) {
+  ExpertState& e = s.memory;
+  KnotPlan& k = e.knot;
+  if (s.inPhase < 1.5 * s.dt) {
+    e.goal[kLeft] = e.hand[kLeft].command;
+    k.drawn[kLeft] = k.felt[kLeft] = 0.0;
+  }
+  feel(k.felt[kLeft], s.state.tools[kLeft].threadForce.norm(), s.dt, kFeelTime);
+  const Vec3 way = (e.goal[kLeft].position - holePoint(s.model, longHole(s), s.state.tissue.position)).normalized();   // [1]
+  k.drawn[kLeft] += std::fmax(0.0, 1.0 - k.felt[kLeft] / kMostPull) * kCareful * s.dt;
+  moveHand(s, kLeft, keepTurn(s, kLeft, e.goal[kLeft].position + k.drawn[kLeft] * way), 0.1);
+  if (tailHole(s).coordinate > s.action.tail && k.drawn[kLeft] < kReach && s.inPhase < kPatience) return;
+  if (wantsNearer(s)) goTo(s, kNearer); else beginWinding(s);
 }
 
 }  // namespace halsted::scenes

@@ -43,6 +43,13 @@ bool windAgain(const Scene& s) {
   return true;
 }
 
+/// Has the driver come to where it was sent? Where its device stops short of that, it is sent nearer to the stitch.
+bool withinReach(const Scene& s) {
+  const bool behind = (s.memory.hand[kRight].command.position - s.state.tools[kRight].proxy.position).norm() > kBehind;
+  if (behind) s.memory.knot.lower += kCareful * s.dt;
+  return !behind;
+}
+
 }  // namespace
 
 /// The winding hand stands on its side, then the driver comes over the stitch with closed jaws, then the thread goes round.
@@ -52,7 +59,7 @@ void wind(const Scene& s) {
   if (e.phase == kTurn) {
     if (moveHand(s, kLeft, upright(s, kLeft), kMove)) goTo(s, kLiftLong);
   } else if (e.phase == kLiftLong) {
-    k.swept = k.given = 0.0;
+    k.swept = k.given = k.lower = 0.0;
     k.felt = {};
     e.hand[kRight].jaw = 1.0;
     const bool up = moveHand(s, kLeft, windingPose(s, driverPlace(s), 0.0), kMove);
@@ -61,7 +68,7 @@ void wind(const Scene& s) {
   } else if (e.phase == kStand) {
     e.hand[kRight].jaw = 0.0;
     if (s.inPhase > 0.2 && s.state.tools[kRight].threadCoordinate >= 0.0 && ++k.misses <= kAttempts) { goTo(s, kUnwind); return; }
-    if (s.inPhase > 0.2 && moveHand(s, kRight, driverPose(s, 0.0), kMove)) goTo(s, kWind);
+    if (s.inPhase > 0.2 && moveHand(s, kRight, driverPose(s, 0.0), kMove) && withinReach(s)) goTo(s, kWind);
   } else if (e.phase == kWind) {
     giveWay(s);
     k.swept = std::fmin(wholeTurns(s), k.swept + kWindSpeed * s.dt);

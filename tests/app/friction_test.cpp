@@ -50,7 +50,7 @@ TEST_P(SlowFriction, HoldsTheWallsByThreadOnThreadAlone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SlowFriction,
-                         ::testing::Values(Sewn{"connell", "", 0, 1.5e-3, 4, 0, true}, Sewn{"stay", "", 0, 1.5e-3, 0, 2, true}, Sewn{"lembert", "0, 14", 2, 1.5e-3, 0, 0, false}),
+                         ::testing::Values(Sewn{"connell", "", 0, 1.5e-3, 4, 0, true}, Sewn{"stay", "", 0, 1.5e-3, 0, 2, true}, Sewn{"lembert", "0, 14, 28", 3, 1.5e-3, 0, 0, false}),
                          [](const auto& scene) { return std::string(scene.param.scene); });
 
 }  // namespace
