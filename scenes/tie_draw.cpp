@@ -12,7 +12,7 @@ namespace {
 constexpr double kTaut = 0.5;                  // [N] at which a tail on its way up is drawn no farther
 constexpr double kTailShare = 0.85;            // [1] of its length: how far from the tissue the tail is drawn up through the loop
 constexpr double kAside = 10e-3, kLow = 6e-3;  // [m] from the stitch as the ends begin to be drawn; above it
-constexpr double kOff = 0.1, kFirm = 0.6;      // [N] felt when there is nothing more to come; with which a loop that clings is drawn off
+constexpr double kOff = 0.1;                   // [N] felt when there is nothing more to come
 constexpr double kClings = 3.0;                // [s] after which it is wound again: it has come to lie between the jaws
 constexpr double kOver = 18e-3, kBeyond = 12e-3;   // [m] of the other hand above the stitch and past the tips meanwhile
 constexpr double kDraw = 0.03, kDrawTaut = 5e-3;   // [m/s] of slack thread; of thread that it feels

@@ -102,7 +102,8 @@ void fetchTail(const Scene& s, std::string& failure) {
     if (s.inPhase < 0.3) return;
     e.knot.drawn = e.knot.felt = {};
     e.knot.settled = 0.0;
-    if (holdsTail(s)) { goTo(s, kThrough); return; }
+    const bool pinched = s.state.tools[kLeft].threadForce.norm() > kFirm;   // the loop has come between the jaws, too: drawn, it would pull on the stitch
+    if (holdsTail(s) && !pinched) { goTo(s, kThrough); return; }
     if (++e.knot.misses > kAttempts) failure = "the tail was not taken";
     e.hand[kRight].jaw = 1.0;                  // whatever it has taken instead
     goTo(s, kFollow);
