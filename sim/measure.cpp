@@ -1,6 +1,7 @@
 #include "sim/measure.h"
 
 #include <cmath>
+#include <limits>
 
 #include "sim/contact/geometry.h"
 #include "sim/cutting/cut_measure.h"
@@ -164,6 +165,8 @@ void measureSeam(const SeamMetrics& seam, int lastBite, StepOutput& out) {
   set(Quantity::kCrossings, seam.join.crossings);
   set(Quantity::kRimGap, seam.join.rimGap);
   set(Quantity::kWallGap, seam.join.wallGap);
+  const bool held = out.seen[static_cast<int>(Quantity::kTailsHeld)] > 0.0;
+  set(Quantity::kReleasedGap, held ? std::numeric_limits<double>::quiet_NaN() : seam.join.wallGap);   // what is held up meets no condition
   set(Quantity::kInversion, seam.join.inversion);
   set(Quantity::kTailDifference, seam.join.tailDifference);
   set(Quantity::kWallShare, lastBite >= 0 ? seam.wallShare[lastBite] : 0.0);
