@@ -7,6 +7,7 @@ namespace halsted::scenes {
 namespace {
 
 constexpr double kByTheNeedle = 24e-3;         // [m] no nearer to it
+constexpr double kCloser = 0.75, kClosest = 8e-3;   // [1] of the way to the driver after a miss, [m]
 constexpr double kUp = 0.02, kSpeed = 0.08;    // [m] the hand rises when it has let go, [m/s]
 constexpr double kLetGo = 0.3;                 // [s]
 
@@ -23,7 +24,9 @@ bool takeHanging(const Scene& s, int first) {
   }
   if (!pickUp(s, kLeft, threadGrip(s, kLeft, e.place), first + 1)) return false;
   if (s.state.tools[kLeft].threadCoordinate >= 0.0) return true;
-  e.hand[kLeft].jaw = 1.0;                     // missed: once more
+  const double driver = s.state.tools[kRight].threadCoordinate;   // [m]
+  e.place = driver + std::fmax(kClosest, kCloser * (e.place - driver));
+  e.hand[kLeft].jaw = 1.0;                     // missed: once more, where thread is steadier
   e.phase = first + 1;
   e.phaseStart = s.state.step;
   return false;

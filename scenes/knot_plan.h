@@ -24,6 +24,7 @@ struct KnotPlan {
   Vec3 side = Vec3::UnitX();                   // [1] across the wound, from the stitch toward the strand of the long end below this throw
   double floor = -1.0;                         // [m] above the stitch: the winding hand goes no lower
   double swept = 0.0;                          // [rad] of this throw's winding
+  double hole = 0.0;                           // [m] coordinate of the long end's hole as this throw began: thread drawn through since is slack, not length to wind with
   double given = 0.0;                          // [m] by which the winding hand has given way
   double lower = 0.0;                          // [m] by which the driver stands nearer to the stitch than its thread allows: its device has come to a stop
   int misses = 0;                              // of the tail, or of a loop that clings or slides off, in this throw

@@ -23,7 +23,7 @@ void goTo(const Scene&, int phase);
 void takeNearer(const Scene&);
 void handOver(const Scene&);
 void takeLongEnd(const Scene&, std::string& failure);
-/// The long end is drawn through the stitch until the tail is no longer than the action wants it.
+/// The long end is drawn straight, and on through the stitch until the tail is no longer than the action wants it.
 void shortenTail(const Scene&);
 /// It is wound round the driver, which then goes for the tail with the loop on its jaws.
 void wind(const Scene&);

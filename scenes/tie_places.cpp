@@ -28,6 +28,7 @@ constexpr double kAbout = 25e-3, kOverTissue = 6e-3;   // [m] of tissue about th
 constexpr double kCling = 20e-3;               // [m] from the jaws; a needle that is cut off falls half a metre meanwhile
 constexpr double kFromEnd = 5e-3;              // [m] of tail beyond the jaws
 constexpr double kLongTail = 40e-3, kBeyondGrip = 0.25;   // [m] of tail; of one that is longer [1]
+constexpr double kElsewhere = 4e-3;            // [m] along the tail at each miss
 
 const StrandState& strand(const Scene& s) { return s.state.strand; }
 
@@ -48,7 +49,8 @@ Pose laid(const Scene& s, int hand, const Vec3& position, std::array<Vec3, 2> sh
 
 /// Of the long end that winding may use.  [m]
 double longLength(const Scene& s) {
-  return s.state.tools[kLeft].threadCoordinate - longHole(s).coordinate - kSlack - kPerThrow * s.memory.knot.current;
+  const double hole = std::fmax(s.memory.knot.hole, longHole(s).coordinate);   // [m]
+  return s.state.tools[kLeft].threadCoordinate - hole - kSlack - kPerThrow * s.memory.knot.current;
 }
 int turns(const Scene& s) { return s.memory.knot.throws[s.memory.knot.current].turns; }   // of this throw
 /// The driver above the stitch: so high that the thread is straight all the way round.  [m]
@@ -85,7 +87,8 @@ Pose driverPose(const Scene& s, double back) {   // [m] along its shaft
 
 double tailPlace(const Scene& s) {             // [m] nearer to the stitch on a long tail; what lies beyond must still come through the loop with it
   const double tail = tailHole(s).coordinate;  // [m]
-  return tail > kLongTail ? kBeyondGrip * tail : std::fmin(kFromEnd, 0.5 * tail);
+  const double place = tail > kLongTail ? kBeyondGrip * tail : kFromEnd;   // [m]
+  return std::fmin(place + kElsewhere * s.memory.knot.misses, 0.5 * tail);   // where it was missed other thread lies in the way
 }
 /// Between the stitch and the hand that winds.  [m]
 double longEnd(const Scene& s) {

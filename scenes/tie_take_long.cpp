@@ -10,6 +10,7 @@ namespace halsted::scenes {
 namespace {
 
 constexpr double kLoose = 0.8;                 // [1] of the way that its thread allows: so high is it lifted
+constexpr double kStraight = 0.93, kEnough = 1e-3;   // [1] of its length: wound with a curl in it, thread hitches itself; [m] of tail drawn in for that at most
 constexpr double kMostPull = 1.5;              // [N] with which thread is drawn through the walls
 constexpr double kReach = 0.09, kPatience = 10.0;   // [m] as far as an arm draws; [s]
 
@@ -18,8 +19,14 @@ void beginWinding(const Scene& s) { goTo(s, standsUpright(s, kLeft) ? kLiftLong 
 
 /// The winding hand has the long end.
 void hasLongEnd(const Scene& s) {
-  const bool tooLong = s.action.tail > 0.0 && tailHole(s).coordinate > s.action.tail;
-  if (tooLong) goTo(s, kShorten); else beginWinding(s);
+  if (s.action.tail > 0.0) goTo(s, kShorten); else beginWinding(s);
+}
+
+/// Is the long end straight from its hole to the winding hand, as far as the tail lets it be drawn?
+bool isStraight(const Scene& s) {
+  const Vec3 hole = holePoint(s.model, longHole(s), s.state.tissue.position);   // [m]
+  const double length = s.state.tools[kLeft].threadCoordinate - longHole(s).coordinate;   // [m]
+  return (s.state.tools[kLeft].proxy.position - hole).norm() > kStraight * length || tailHole(s).coordinate < s.action.tail - kEnough;
 }
 
 bool wantsNearer(const Scene& s) { return holdsTooFar(s) && !needleClings(s) && s.memory.knot.misses < kAttempts; }
@@ -39,6 +46,7 @@ void takeNearer(const Scene& s) {
 void handOver(const Scene& s) {
   ExpertState& e = s.memory;
   if (e.phase == kLiftIt) {
+    e.hand[kLeft].jaw = 1.0;                   // or what is between the two hands would be drawn taut
     if (s.inPhase < 1.5 * s.dt) {
       const double length = s.state.tools[kRight].threadCoordinate - longHole(s).coordinate;   // [m]
       e.goal[kRight] = keepTurn(s, kRight, stitch(s) + kLoose * length * e.knot.up);
@@ -82,7 +90,8 @@ void shortenTail(const Scene& s) {
   const Vec3 way = (e.goal[kLeft].position - holePoint(s.model, longHole(s), s.state.tissue.position)).normalized();   // [1]
   k.drawn[kLeft] += std::fmax(0.0, 1.0 - k.felt[kLeft] / kMostPull) * kCareful * s.dt;
   moveHand(s, kLeft, keepTurn(s, kLeft, e.goal[kLeft].position + k.drawn[kLeft] * way), 0.1);
-  if (tailHole(s).coordinate > s.action.tail && k.drawn[kLeft] < kReach && s.inPhase < kPatience) return;
+  const bool ready = tailHole(s).coordinate <= s.action.tail && isStraight(s);
+  if (!ready && k.drawn[kLeft] < kReach && s.inPhase < kPatience) return;
   if (wantsNearer(s)) goTo(s, kNearer); else beginWinding(s);
 }
 

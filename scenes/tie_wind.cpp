@@ -12,6 +12,7 @@ constexpr double kBack = 30e-3;                // [m] along its shaft: where the
 constexpr double kWindSpeed = 3.0;             // [rad/s]
 constexpr double kSnug = 0.03, kGive = 0.06;   // [N] more would draw the tail into the tissue: the winding hand gives way; [m/s]
 constexpr double kWider = 6e-3, kOpening = 0.4;   // [m] of thread that the opening jaws take up in a turn; [s]
+constexpr double kLoose = 0.15;                // [N] at the winding hand: a loop drawn tighter holds the jaws like a capstan
 constexpr double kLost = 0.6;                  // [1] of a turn less than planned: the loop has slid off
 
 /// A winding hand that feels its thread gives way.
@@ -26,6 +27,9 @@ void follow(const Scene& s) {
   giveWay(s);
   moveHand(s, kLeft, windingPose(s, s.memory.hand[kRight].command.position, wholeTurns(s)), 0.15);
 }
+
+/// Has the winding hand given way as far as it has to?
+bool isLoose(const Scene& s) { return s.memory.knot.felt[kLeft] < kLoose; }
 
 /// Is the loop still on the driver? A turn lacks up to a quarter, as it is begun and ended beside the jaws.
 bool loopLost(const Scene& s) { return woundRoundDriver(s) < s.memory.knot.throws[s.memory.knot.current].turns - kLost; }
@@ -59,6 +63,7 @@ void wind(const Scene& s) {
   if (e.phase == kTurn) {
     if (moveHand(s, kLeft, upright(s, kLeft), kMove)) goTo(s, kLiftLong);
   } else if (e.phase == kLiftLong) {
+    if (s.inPhase < 1.5 * s.dt) k.hole = longHole(s).coordinate;
     k.swept = k.given = k.lower = 0.0;
     k.felt = {};
     e.hand[kRight].jaw = 1.0;
@@ -84,7 +89,7 @@ void fetchTail(const Scene& s, std::string& failure) {
   if (e.phase == kFollow) {
     const bool there = moveHand(s, kRight, above(grip, 8e-3), kCareful);
     follow(s);
-    if ((there || s.inPhase > 3.0) && !windAgain(s)) goTo(s, kOpen);
+    if (((there && isLoose(s)) || s.inPhase > 3.0) && !windAgain(s)) goTo(s, kOpen);
   } else if (e.phase == kOpen) {
     double& jaw = e.hand[kRight].jaw;
     if (jaw < 1.0) e.knot.given += e.knot.throws[e.knot.current].turns * kWider / kOpening * s.dt;
@@ -95,7 +100,7 @@ void fetchTail(const Scene& s, std::string& failure) {
     if (s.inPhase < 1.5 * s.dt) e.goal[kRight] = {grip.position - 1e-3 * (grip.orientation * Vec3::UnitZ()), grip.orientation};   // not after thread that gives way into soft tissue
     const bool there = moveHand(s, kRight, e.goal[kRight], kCareful);
     follow(s);
-    if ((there || s.inPhase > 2.0) && !windAgain(s)) goTo(s, kClose);
+    if (((there && isLoose(s)) || s.inPhase > 2.0) && !windAgain(s)) goTo(s, kClose);
   } else {
     e.hand[kRight].jaw = std::fmax(0.0, 1.0 - s.inPhase / 0.2);
     follow(s);
@@ -105,6 +110,7 @@ void fetchTail(const Scene& s, std::string& failure) {
     const bool pinched = s.state.tools[kLeft].threadForce.norm() > kFirm;   // the loop has come between the jaws, too: drawn, it would pull on the stitch
     if (holdsTail(s) && !pinched) { goTo(s, kThrough); return; }
     if (++e.knot.misses > kAttempts) failure = "the tail was not taken";
+    if (pinched) { goTo(s, kOpen); return; }   // where it is: raised, it would take the loop along
     e.hand[kRight].jaw = 1.0;                  // whatever it has taken instead
     goTo(s, kFollow);
   }

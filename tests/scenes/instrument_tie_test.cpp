@@ -63,20 +63,13 @@ TEST(InstrumentTie, ThrowsOfOppositeSenseLockTheOneBeforeAndHold) {
   EXPECT_GT(w.stitchLeftAlone(), 0.05);        // [N] under locked throws it keeps some
 }
 
-/// Two turns of the long end round the driver, as a surgeon's knot begins.
-TEST(InstrumentTie, TwoTurnsMakeADoubleThrow) {
-  const Tied w("2", "3.0");
-  EXPECT_EQ(w.reading(), "2");
-  EXPECT_EQ(w.seen(Quantity::kThrows), 1);
-  EXPECT_EQ(w.seen(Quantity::kFirstTurns), 2);
-}
-
-/// A double throw under two single ones that are wound to and fro.
+/// A double throw, of two turns round the driver, under two single ones that are wound to and fro.
 TEST(InstrumentTie, ASurgeonsKnotIsReadThrowByThrowAndHolds) {
   Tied w("2=1=1", "3.0");
   for (const std::string& reading : w.read) std::printf("%s, ", reading.c_str());
   std::printf("at last %s\n", w.reading().c_str());
   for (const char* throws : {"2", "2=1", "surgeon's"}) EXPECT_NE(std::find(w.read.begin(), w.read.end(), throws), w.read.end()) << throws;
+  EXPECT_EQ(w.seen(Quantity::kFirstTurns), 2);
   EXPECT_EQ(w.seen(Quantity::kWrongThrows), 0);
   EXPECT_TRUE(w.pull().held);
   EXPECT_GT(w.stitchLeftAlone(), 0.05);        // [N]
@@ -109,11 +102,94 @@ TEST(InstrumentTie, AnEndHeldTooFarOutComesNearerAndNeverFalls) {
   for (int k = 0; k < 12000 && held(kLeft) < 0.0; ++k) ASSERT_TRUE(w.advance(far, *before)) << w.failure;
   ASSERT_GT(held(kLeft), 70e-3);
   int steps = 0;
+  double most = 0.0;                           // [N] on a hand
   for (; steps < 12000 && !(held(kLeft) > 0.0 && held(kLeft) < 60e-3); ++steps) {
     ASSERT_TRUE(w.advance(near, *memory)) << w.failure;
     ASSERT_TRUE(held(kLeft) > 0.0 || held(kRight) > 0.0) << "let fall after " << steps << " steps";
+    for (const ToolState& t : w.state.tools) most = std::max(most, t.threadForce.norm());
   }
   EXPECT_LT(steps, 12000);
+  EXPECT_LT(most, 1.0) << "what lies between the hands is drawn taut as one of them rises";
+}
+
+/// The other hand misses what hangs from the driver: each time it tries nearer to the jaws, where thread is steadier.
+TEST(InstrumentTie, AHandThatMissesTheHangingThreadTriesNearerToTheJaws) {
+  TiedWall w;
+  const double through = w.model.strand.length - w.state.strand.holes[w.state.strand.holeCount - 1].coordinate;   // [m]
+  const std::string pull = std::to_string(1e3 * through + 2.0);
+  ASSERT_TRUE(w.act("[[action]]\ndo = \"draw\"\ntail_mm = 30\npull_mm = " + pull + "\nlimit_s = 20\n")) << w.failure;
+  const scenes::ExpertScript script = scenes::parseExpert("scene = \"wall\"\n[[action]]\ndo = \"tie\"\ntie = \"1\"\nlimit_s = 20\n", "test");
+  const scenes::ExpertStatePtr memory = scenes::beginExpert(script, w.model);
+  const auto nearest = [&](const Vec3& p) {    // [m] along the thread, of the node that is nearest
+    const auto& x = w.state.strand.position;
+    return w.model.strand.place[std::min_element(x.begin(), x.end(), [&](const Vec3& a, const Vec3& b) { return (a - p).norm() < (b - p).norm(); }) - x.begin()];
+  };
+  std::vector<double> tried;                   // [m] of thread between the hands
+  for (bool closed = true; tried.size() < 4;) {
+    ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+    const bool closes = w.state.tools[kLeft].closed;
+    const double driver = w.state.tools[kRight].threadCoordinate;   // [m]
+    if (closes && !closed) tried.push_back(nearest(w.state.tools[kLeft].proxy.position) - driver);
+    w.state.tools[kLeft].threadCoordinate = -1.0;   // it has slipped out
+    closed = closes;
+  }
+  for (std::size_t i = 1; i < tried.size(); ++i) EXPECT_LT(tried[i], tried[i - 1] - 1e-3);
+  EXPECT_GT(tried.back(), 5e-3);               // not into the driver
+}
+
+/// Thread drawn through the wall while it is wound is slack for the winding hand: that goes no further out for it, or it would draw in the
+/// whole tail.
+TEST(InstrumentTie, ThreadDrawnInWhileItIsWoundIsNotWoundWith) {
+  TiedWall w;
+  const scenes::ExpertScript script = scenes::parseExpert("scene = \"wall\"\n[[action]]\ndo = \"tie\"\ntie = \"1\"\nlimit_s = 40\n", "test");
+  const scenes::ExpertStatePtr memory = scenes::beginExpert(script, w.model);
+  const auto apart = [&] { return (w.input.tools[kLeft].pose.position - w.input.tools[kRight].pose.position).norm(); };   // [m] of the hands
+  for (int k = 0; k < 30000 && w.seen(Quantity::kToolTurns) < 1; ++k) ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+  const double before = apart();               // [m]
+  for (int k = 0; k < 300; ++k) {
+    for (Hole& h : w.state.strand.holes) h.coordinate -= 3e-5;   // [m] 9 mm in all
+    ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+  }
+  std::printf("hands %.1f mm apart before, %.1f mm after\n", 1e3 * before, 1e3 * apart());
+  EXPECT_LT(apart(), before + 3e-3);
+}
+
+/// The winding hand feels the stitch as the driver closes on the tail: the loop lies between the jaws, too. They open again; drawn through, it
+/// would tear at the wall.
+TEST(InstrumentTie, JawsThatHaveClosedOnTheirLoopOpenAgain) {
+  TiedWall w;
+  const scenes::ExpertScript script = scenes::parseExpert("scene = \"wall\"\n[[action]]\ndo = \"tie\"\ntie = \"1\"\nlimit_s = 40\n", "test");
+  const scenes::ExpertStatePtr memory = scenes::beginExpert(script, w.model);
+  const auto holdsTail = [&] { return w.state.tools[kRight].threadCoordinate >= 0.0 && w.state.tools[kRight].threadCoordinate < w.state.strand.holes[0].coordinate; };
+  for (int k = 0; k < 30000 && !holdsTail(); ++k) ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+  ASSERT_TRUE(holdsTail());
+  const Vec3 at = w.state.tools[kRight].proxy.position;   // [m]
+  int steps = 0;
+  for (; steps < 1000 && holdsTail(); ++steps) {
+    w.state.tools[kLeft].threadForce = 1.0 * Vec3::UnitZ();   // [N] as if it were
+    ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+  }
+  EXPECT_FALSE(holdsTail());
+  EXPECT_LT((w.state.tools[kRight].proxy.position - at).norm(), 3e-3) << "opened where they closed";
+}
+
+/// Jaws that miss the tail close on it elsewhere the next time: what they took instead still lies where it lay.
+TEST(InstrumentTie, ADriverThatMissesTheTailTriesElsewhereOnIt) {
+  TiedWall w;
+  const scenes::ExpertScript script = scenes::parseExpert("scene = \"wall\"\n[[action]]\ndo = \"tie\"\ntie = \"1\"\nlimit_s = 60\n", "test");
+  const scenes::ExpertStatePtr memory = scenes::beginExpert(script, w.model);
+  std::vector<double> tried;                   // [m] along the tail
+  while (tried.size() < 2) {
+    ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+    double& held = w.state.tools[kRight].threadCoordinate;   // [m]
+    if (held < 0.0 || held > w.state.strand.holes[0].coordinate) continue;
+    tried.push_back(held);
+    while (w.state.tools[kRight].closed) {
+      held = -1.0;                             // it has slipped out
+      ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+    }
+  }
+  EXPECT_GT(tried[1], tried[0] + 2e-3);
 }
 
 /// A tail longer than the action wants it is drawn through the wall to that length by the hand that holds the long end, before a turn is wound.
