@@ -25,7 +25,7 @@ bool takeHanging(const Scene& s, int first) {
   if (!pickUp(s, kLeft, threadGrip(s, kLeft, e.place), first + 1)) return false;
   if (s.state.tools[kLeft].threadCoordinate >= 0.0) return true;
   const double driver = s.state.tools[kRight].threadCoordinate;   // [m]
-  e.place = driver + std::fmax(kClosest, kCloser * (e.place - driver));
+  if (driver >= 0.0) e.place = std::fmin(e.place, driver + std::fmax(kClosest, kCloser * (e.place - driver)));
   e.hand[kLeft].jaw = 1.0;                     // missed: once more, where thread is steadier
   e.phase = first + 1;
   e.phaseStart = s.state.step;

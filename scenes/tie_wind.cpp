@@ -12,7 +12,7 @@ constexpr double kBack = 30e-3;                // [m] along its shaft: where the
 constexpr double kWindSpeed = 3.0;             // [rad/s]
 constexpr double kSnug = 0.03, kGive = 0.06;   // [N] more would draw the tail into the tissue: the winding hand gives way; [m/s]
 constexpr double kWider = 6e-3, kOpening = 0.4;   // [m] of thread that the opening jaws take up in a turn; [s]
-constexpr double kLoose = 0.15;                // [N] at the winding hand: a loop drawn tighter holds the jaws like a capstan
+constexpr double kTight = 0.15;                // [N] at the winding hand: a loop drawn tighter holds the jaws like a capstan
 constexpr double kLost = 0.6;                  // [1] of a turn less than planned: the loop has slid off
 
 /// A winding hand that feels its thread gives way.
@@ -29,7 +29,7 @@ void follow(const Scene& s) {
 }
 
 /// Has the winding hand given way as far as it has to?
-bool isLoose(const Scene& s) { return s.memory.knot.felt[kLeft] < kLoose; }
+bool isLoose(const Scene& s) { return s.memory.knot.felt[kLeft] < kTight; }
 
 /// Is the loop still on the driver? A turn lacks up to a quarter, as it is begun and ended beside the jaws.
 bool loopLost(const Scene& s) { return woundRoundDriver(s) < s.memory.knot.throws[s.memory.knot.current].turns - kLost; }
