@@ -26,6 +26,7 @@ class Lockstep {
   const Hands& hands() const { return hands_; }
   const Durations& stepTimes() const { return stepTimes_; }
   const std::string& failure() const { return surgeons_.failure(); }
+  const std::vector<std::string>& lostStitches() const { return surgeons_.lost(); }   // why each was set anew
   std::uint64_t recordedHash() const { return recordedHash_; }   // of the state after this step, from the recording
   double time() const { return static_cast<double>(state_.step) * scenario_.model.params.dt; }   // [s]
 

@@ -19,7 +19,8 @@ bool Surgeons::advance(const State& state) {
     surgeon.busy = scenes::advanceExpert(*surgeon.script, scenario_.model, state, *surgeon.memory, wanted, failure);
     const Command spoken = scenes::takeSpokenCommand(*surgeon.memory);
     if (spoken.kind != Command::Kind::kNone) command_ = spoken;
-    if (!failure.empty()) failure_ = failure;
+    if (!failure.empty() && surgeon.busy) lost_.push_back(failure);
+    else if (!failure.empty()) failure_ = failure;
     for (int hand = 0; hand < kHands; ++hand)
       if (scenario_.scriptOfHand[hand] == static_cast<int>(i)) targets_[hand] = wanted[hand];
     busy = busy || surgeon.busy;

@@ -18,7 +18,8 @@ class Surgeons {
   /// What they have asked for aloud, for the next step's input.
   const Command& command() const { return command_; }
   const HandTarget& target(int hand) const { return targets_[hand]; }
-  const std::string& failure() const { return failure_; }        // an action that ran out of time; empty: none
+  const std::string& failure() const { return failure_; }        // an action that ran out of time, the script's last; empty: none
+  const std::vector<std::string>& lost() const { return lost_; } // why stitches were taken out and set anew
 
  private:
   struct Running {
@@ -31,6 +32,7 @@ class Surgeons {
   std::array<HandTarget, kHands> targets_{};
   Command command_;
   std::string failure_;
+  std::vector<std::string> lost_;
 };
 
 }  // namespace halsted::app

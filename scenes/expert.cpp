@@ -7,6 +7,7 @@
 
 #include "scenes/knot_plan.h"
 #include "scenes/scene.h"
+#include "scenes/script_stitches.h"
 #include "scenes/toml_input.h"
 
 namespace halsted::scenes {
@@ -38,7 +39,7 @@ constexpr NumberKey kNeedleNumbers[] = {
     {"period_s", &ExpertAction::period, 0.2, 20.0, 1.0},            {"speed_mm_s", &ExpertAction::speed, 0.1, 200.0, 1e-3},
     {"distance_mm", &ExpertAction::distance, 1.0, 60.0, 1e-3},      {"limit_s", &ExpertAction::seconds, 0.01, 600.0, 1.0},
 };
-constexpr const char* kSutureKinds[] = {"bite", "draw", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go", "fresh_thread", "change_tools", "hold",
+constexpr const char* kSutureKinds[] = {"bite", "draw", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go", "take_out", "fresh_thread", "change_tools", "hold",
                                         "hold_fold", "cut_ring", "take_away"};
 constexpr const char* kNeedleKinds[] = {"find", "press", "insert", "twirl", "lift_thrust", "withdraw"};
 
@@ -101,11 +102,6 @@ std::string readTie(const toml::node& node, const std::string& where) {
   return text;
 }
 
-ThreadAssist levelOf(const std::string& text, const std::string& where) {
-  if (text != "none" && text != "knot") throw InputError(where + ": must be \"none\" or \"knot\"");
-  return text == "knot" ? ThreadAssist::kKnot : ThreadAssist::kNone;
-}
-
 ExpertAction readAction(const toml::table& table, const std::string& origin) {
   ExpertAction action;
   action.line = static_cast<int>(table.source().begin.line);
@@ -130,67 +126,6 @@ ExpertAction readAction(const toml::table& table, const std::string& origin) {
   return action;
 }
 
-/// Where a script sets its stitches, one after the other: at one level of assistance, or at any.
-struct StitchPlaces {
-  std::optional<ThreadAssist> level;
-  std::vector<double> degrees;                 // [deg]
-};
-
-std::vector<double> readAngles(const toml::node& node, const std::string& where) {   // [deg]
-  constexpr std::size_t kMost = 60;
-  const toml::array* list = node.as_array();
-  if (!list || list->empty() || list->size() > kMost) throw InputError(where + ": must be a list of 1 to 60 angles");
-  std::vector<double> places;                  // [deg]
-  for (const toml::node& entry : *list) {
-    places.push_back(requireNumber(entry, where));
-    if (!(std::abs(places.back()) <= 180.0)) throw InputError(where + ": must be -180 to 180");
-  }
-  return places;
-}
-
-std::vector<StitchPlaces> readPlaces(const toml::node& node, const std::string& origin, const std::string& key) {
-  const toml::table* levels = node.as_table();
-  if (!levels) return {{std::nullopt, readAngles(node, whereIs(origin, node, key))}};
-  std::vector<StitchPlaces> places;
-  for (const auto& [part, angles] : *levels) {
-    const std::string name(part.str()), where = whereIs(origin, angles, key + "." + name);
-    places.push_back({levelOf(name, where), readAngles(angles, where)});
-  }
-  if (places.size() != 2) throw InputError(whereIs(origin, node, key) + ": must have angles for both levels, none and knot");
-  return places;
-}
-
-/// What of one stitch is done at a level, and there only.
-std::vector<ExpertAction> ofLevel(const std::vector<ExpertAction>& stitch, ThreadAssist level) {
-  std::vector<ExpertAction> own;
-  std::copy_if(stitch.begin(), stitch.end(), std::back_inserter(own), [&](const ExpertAction& a) { return a.assist.value_or(level) == level; });
-  for (ExpertAction& a : own) a.assist = level;
-  return own;
-}
-
-/// The actions of one stitch, once for each place. A fresh thread at their end is asked for between them and not after the last.
-void repeatAt(const std::vector<double>& places, const std::vector<ExpertAction>& stitch, bool facing, std::vector<ExpertAction>& actions) {   // [deg]
-  for (double place : places)
-    for (ExpertAction action : stitch) {
-      if (action.kind == "bite") action.angleDegrees += action.bowel == 1 && facing ? -place : place;
-      actions.push_back(action);
-    }
-  if (stitch.size() > 1 && actions.back().kind == "fresh_thread") actions.pop_back();
-}
-
-/// One stitch is all that comes after the instruments were changed for sewing, or all there is.
-void setStitches(const std::vector<StitchPlaces>& all, const std::string& origin, std::vector<ExpertAction>& actions) {
-  const auto changed = std::find_if(actions.rbegin(), actions.rend(), [](const ExpertAction& a) { return a.kind == "change_tools"; });
-  const std::vector<ExpertAction> once(changed.base(), actions.end());
-  actions.erase(changed.base(), actions.end());
-  std::size_t most = actions.size();
-  for (const StitchPlaces& places : all) most += places.degrees.size() * once.size();
-  if (most > kMaxActions) throw InputError(origin + ": stitch_at_deg: more than 1000 actions");
-  // Two ends that face each other are seen from opposite sides; the walls of a prolapse, one in the other, from the same.
-  const bool facing = std::none_of(actions.begin(), actions.end(), [](const ExpertAction& a) { return a.kind == "cut_ring"; });
-  for (const StitchPlaces& places : all) repeatAt(places.degrees, places.level ? ofLevel(once, *places.level) : once, facing, actions);
-}
-
 }  // namespace
 
 bool isSutureAction(const std::string& kind) { return isOneOf(kSutureKinds, kind); }
@@ -201,11 +136,12 @@ ExpertScript parseExpert(const std::string& text, const std::string& origin) {
   ExpertScript script;
   script.text = text;
   const toml::table file = parseToml(text, origin);
-  std::vector<StitchPlaces> places;
+  StitchPlan stitches;
   for (const auto& [part, node] : file) {
     const std::string key(part.str());
     if (key == "scene") { script.scene = requireText(node, whereIs(origin, node, key)); continue; }
-    if (key == "stitch_at_deg") { places = readPlaces(node, origin, key); continue; }
+    if (key == "stitch_at_deg") { stitches.places = readPlaces(node, origin, key); continue; }
+    if (key == "again_deg") { stitches.again = readAngles(node, whereIs(origin, node, key)); continue; }
     if (key != "action") throw InputError(whereIs(origin, node, key) + ": unknown key");
     const toml::array* list = node.as_array();
     if (!list) throw InputError(whereIs(origin, node, key) + ": must be [[action]] tables, is " + kindOf(node));
@@ -217,7 +153,8 @@ ExpertScript parseExpert(const std::string& text, const std::string& origin) {
   }
   if (script.scene.empty()) throw InputError(origin + ":1: scene: is missing");
   if (script.actions.empty()) throw InputError(origin + ":1: action: the script does nothing");
-  if (!places.empty()) setStitches(places, origin, script.actions);
+  if (stitches.places.empty() && !stitches.again.empty()) throw InputError(origin + ":1: again_deg: needs stitch_at_deg");
+  if (!stitches.places.empty()) setStitches(stitches, origin, script.actions);
   return script;
 }
 

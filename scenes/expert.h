@@ -16,7 +16,7 @@ namespace halsted::scenes {
 
 struct ExpertAction {
   std::string kind;                            // a suture's: "bite", "draw", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go",
-                                               // "fresh_thread", "change_tools", "hold": see scenes/expert_run.cpp
+                                               // "take_out", "fresh_thread", "change_tools", "hold": see scenes/expert_run.cpp
                                                // an excision's: "hold_fold", "cut_ring", "take_away": see scenes/expert_excise.cpp
                                                // a needle's: "find", "press", "insert", "twirl", "lift_thrust", "withdraw", "hold"
   double angleDegrees = 0.0;                   // angle_deg [deg] round the opening, 0 at +x, counter-clockwise seen by the surgeon; from_deg: where a cut begins; of a needle
@@ -49,11 +49,14 @@ struct ExpertAction {
   double speed = 5e-3;                         // speed_mm_s [m/s] in or out; of the pen along the wall
   double distance = 25e-3;                     // distance_mm [m] of the pressing finger from the point
   int line = 0;                                // in the file, for messages
+  int stitch = -1, attempt = 0;                // of stitch_at_deg, of again_deg: set when the script is read; -1: belongs to no stitch
 };
 
 /// `stitch_at_deg = [0, 20, -20]` in a file: its actions (those after the last "change_tools", if there is one) are done once for each, the number added to every angle_deg of the left (or only)
 /// bowel and taken from that of the right one, which is seen from its other side: 0 is where the actions themselves say.
 /// `stitch_at_deg = { knot = [0, 20, -20], none = [0, 20] }`: other places, or another order, at each level of assistance.
+/// `again_deg = [4, -4]`: a stitch that cannot be finished (a bite that does not come out, a throw that is lost too often, thread that leaves the tissue) is taken out and set anew with a
+/// fresh thread, so far from its place, as often as there are numbers; without the key the script ends there.
 struct ExpertScript {
   std::string scene;                           // folder name of the scene it is for
   std::string text;                            // as read, kept for the session record
@@ -79,7 +82,7 @@ std::array<Pose, kHands> startPoses(const Model&);
 /// What the surgeon has asked for aloud since this was last called: a fresh thread, mostly nothing. It goes into the next step's input.
 Command takeSpokenCommand(ExpertState&);
 
-/// True while there is something left to do. `failure` is set when an action ran out of time.
+/// True while there is something left to do. `failure` is set when an action ran out of time or cannot be done; with true, its stitch is set anew.
 bool advanceExpert(const ExpertScript&, const Model&, const State&, ExpertState&, std::array<HandTarget, kHands>& targets,
                    std::string& failure);
 

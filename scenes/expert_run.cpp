@@ -18,6 +18,7 @@ bool runAction(const Scene& scene, std::string& failure) {
   if (scene.action.kind == "tighten") return scene.state.metrics.seam ? runCrossed(scene, failure) : runTighten(scene, failure);
   if (scene.action.kind == "tie") return scene.state.assist ? runCrossed(scene, failure) : runTie(scene, failure);
   if (scene.action.kind == "let_go") return runLetGo(scene);
+  if (scene.action.kind == "take_out") return runTakeOut(scene);
   if (scene.action.kind == "fresh_thread") return runFreshThread(scene, failure);
   if (scene.action.kind == "change_tools") return runChangeTools(scene, failure);
   if (scene.action.kind == "hold_fold") return runHoldFold(scene, failure);
@@ -42,8 +43,26 @@ void begin(const State& state, ExpertState& e) {
   e.actionStart = e.phaseStart = state.step;
 }
 
-void nextAction(const State& state, ExpertState& e) {
-  ++e.action;
+bool sameStitch(const ExpertAction& a, const ExpertAction& b) { return a.stitch >= 0 && a.stitch == b.stitch; }
+
+/// What follows an action that is done: not another attempt at its stitch.
+std::size_t after(const ExpertScript& script, std::size_t done) {
+  const ExpertAction& last = script.actions[done];
+  std::size_t next = done + 1;
+  while (next < script.actions.size() && sameStitch(script.actions[next], last) && script.actions[next].attempt != last.attempt) ++next;
+  return next;
+}
+
+/// What follows one that cannot be done: the next attempt at its stitch, or nothing.
+std::size_t insteadOf(const ExpertScript& script, std::size_t lost) {
+  const ExpertAction& last = script.actions[lost];
+  for (std::size_t next = lost + 1; next < script.actions.size() && sameStitch(script.actions[next], last); ++next)
+    if (script.actions[next].attempt != last.attempt) return next;
+  return script.actions.size();
+}
+
+void goOn(const State& state, std::size_t action, ExpertState& e) {
+  e.action = action;
   e.planned = false;
   e.attempt = 0;
   e.phase = 0;
@@ -136,9 +155,9 @@ bool advanceExpert(const ExpertScript& script, const Model& model, const State& 
     const bool late = static_cast<double>(state.step - e.actionStart) * dt > action.seconds && action.kind != "hold";
     if (!why.empty() || (late && !finished)) {
       failure = "line " + std::to_string(action.line) + ": " + action.kind + ": " + (why.empty() ? "ran out of time in phase " + std::to_string(e.phase) : why);
-      e.action = script.actions.size();
+      goOn(state, insteadOf(script, e.action), e);
     } else if (finished) {
-      nextAction(state, e);
+      goOn(state, after(script, e.action), e);
     }
   }
   for (int h = 0; h < kHands; ++h) targets[h] = look(e.hand[h], state.tools[h].proxy, model.params.dt);

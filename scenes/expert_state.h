@@ -83,6 +83,8 @@ bool runTie(const Scene&, std::string& failure);
 bool runCrossed(const Scene&, std::string& failure);
 /// Both hands let go and rise.
 bool runLetGo(const Scene&);
+/// Both hands let go, and the driver draws the thread out of the tissue again by its long end. Not a needle that is in it, nor a tied knot.
+bool runTakeOut(const Scene&);
 /// Both hands let go and go aside; the assistant is asked for a new thread and loads the driver with it.
 bool runFreshThread(const Scene&, std::string& failure);
 /// Both hands let go and go aside; the assistant changes the instrument of every hand that has a second one.

@@ -26,6 +26,7 @@ constexpr double kSnug = 0.15, kClosed = 0.13; // [1] of the opening at rest: it
 constexpr double kWallsMeet = 2e-3;            // [m] of gap between two ends that looks as open as an opening at rest
 constexpr double kDrawSpeed = 0.04, kDrawReach = 0.06;           // [m/s] [m] of one stroke
 constexpr double kMostPull = 1.5;              // [N] at which a hand that feels draws no farther
+constexpr double kUp = 0.02, kLetGo = 0.4, kRiseSpeed = 0.08;    // [m] [s] [m/s] of hands that let go and rise
 constexpr double kStalls = 0.9;                // [1] of it: over cut edges, where it slows down as it pulls, it comes no farther
 const Vec3 kDrawWay = Vec3(0.5, 0.6, 0.6).normalized();          // [1] of the driver: up, toward the surgeon, to its own side
 
@@ -128,6 +129,27 @@ bool runTakeTails(const Scene& s, std::string& failure) {
   return false;
 }
 
+namespace {
+
+void beginStroke(const Scene& s) {
+  ExpertState& e = s.memory;
+  e.goal[kRight] = e.hand[kRight].command;
+  e.drawn[kRight] = e.felt[kRight] = 0.0;
+  nextPhase(s);
+}
+
+/// The driver draws the thread that it holds, slower where it `feels` it; true when it has come as far as an arm draws, or no farther.
+bool drawStroke(const Scene& s, bool feels) {
+  ExpertState& e = s.memory;
+  feel(e.felt[kRight], s.state.tools[kRight].threadForce.norm(), s.dt, kFeelTime);
+  const double pace = feels ? std::fmax(0.0, 1.0 - e.felt[kRight] / kMostPull) : 1.0;   // [1]
+  e.drawn[kRight] += pace * kDrawSpeed * s.dt;
+  moveHand(s, kRight, {e.goal[kRight].position + e.drawn[kRight] * kDrawWay, e.goal[kRight].orientation}, 0.1);
+  return e.drawn[kRight] > kDrawReach || e.felt[kRight] > (feels ? kStalls : 1.0) * kMostPull;
+}
+
+}  // namespace
+
 /// Hand over hand: while the forceps keep the needle, the driver takes the thread by the stitch and draws it through, stroke after stroke,
 /// until so much has come. Phases 1 to 3: it takes hold. 4: it draws.
 bool runDraw(const Scene& s, std::string& failure) {
@@ -137,19 +159,36 @@ bool runDraw(const Scene& s, std::string& failure) {
     e.place = needlePlace(s);
     nextPhase(s);
   } else if (e.phase <= 3) {
-    if (!takeThread(s, kRight, 1, needlePlace)) return false;
-    e.goal[kRight] = e.hand[kRight].command;
-    e.drawn[kRight] = e.felt[kRight] = 0.0;
-    nextPhase(s);
+    if (takeThread(s, kRight, 1, needlePlace)) beginStroke(s);
   } else {
     const double through = s.model.strand.length - s.state.strand.holes[s.state.strand.holeCount - 1].coordinate;   // [m]
     if (through >= s.action.pull) return true;
-    feel(e.felt[kRight], s.state.tools[kRight].threadForce.norm(), s.dt, kFeelTime);
-    const double pace = s.state.cut ? std::fmax(0.0, 1.0 - e.felt[kRight] / kMostPull) : 1.0;   // [1] over cut edges thread catches
-    e.drawn[kRight] += pace * kDrawSpeed * s.dt;
-    moveHand(s, kRight, {e.goal[kRight].position + e.drawn[kRight] * kDrawWay, e.goal[kRight].orientation}, 0.1);
-    const bool against = e.felt[kRight] > (s.state.cut ? kStalls : 1.0) * kMostPull;   // the hand that keeps the needle: the thread between them is out
-    if (e.drawn[kRight] > kDrawReach || against) e.phase = 0;
+    if (drawStroke(s, s.state.cut.has_value())) e.phase = 0;   // over cut edges thread catches; against the hand that keeps the needle all between them is out
+  }
+  return false;
+}
+
+/// Phase 0: both hands let go and rise. 1: looks. 2 to 4: the driver takes hold. 5: it draws.
+bool runTakeOut(const Scene& s) {
+  ExpertState& e = s.memory;
+  if (e.phase == 0) {
+    if (s.inPhase < 1.5 * s.dt)
+      for (int h = 0; h < kHands; ++h) e.goal[h] = above(e.hand[h].command, kUp);
+    bool up = true;
+    for (int h = 0; h < kHands; ++h) {
+      e.hand[h].jaw = s.inPhase < 0.5 * kLetGo && s.state.tools[h].ratchet ? 0.0 : 1.0;   // a squeeze opens the ratchet
+      up = s.inPhase > kLetGo && moveHand(s, h, e.goal[h], kRiseSpeed) && up;
+    }
+    if (up) nextPhase(s);
+  } else if (s.state.strand.holeCount == 0) {
+    return true;
+  } else if (e.phase == 1) {
+    e.place = needlePlace(s);
+    nextPhase(s);
+  } else if (e.phase <= 4) {
+    if (takeThread(s, kRight, 2, needlePlace)) beginStroke(s);
+  } else if (drawStroke(s, true)) {
+    e.phase = 1;
   }
   return false;
 }

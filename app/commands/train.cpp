@@ -172,6 +172,7 @@ int train(const TrainOptions& options) {
   const RunSummary summary = summariseRun(scenario.scene.name, scenario.scene.title, scenario.model, session.state(),
                                           outcome.physics.stepTimes, watch.seconds());
   std::fputs((options.json ? jsonOf(summary, liveMembers(outcome)) : textOf(summary) + liveText(outcome)).c_str(), stdout);
+  for (const std::string& why : outcome.physics.lostStitches) std::fprintf(stderr, "halsted: script: %s; the stitch was taken out and set anew\n", why.c_str());
   if (!outcome.physics.failure.empty()) std::fprintf(stderr, "halsted: script: %s\n", outcome.physics.failure.c_str());
   if (!outcome.fault.empty()) throw SystemFault(outcome.fault);
   return kDone;

@@ -104,6 +104,7 @@ void runPhysics(const Scenario& scenario, State& state, Links& links, PhysicsOut
   }
   outcome.seconds = static_cast<double>(monotonicNow() - start) * 1e-9;
   outcome.failure = physics.surgeons.failure();
+  outcome.lostStitches = physics.surgeons.lost();
 }
 
 }  // namespace halsted::app

@@ -1,5 +1,8 @@
 #pragma once
 /// Steps the simulation at its fixed dt. Late steps are counted and the simulated time falls behind; dt is never stretched.
+#include <string>
+#include <vector>
+
 #include "app/scenario.h"
 #include "app/threads/links.h"
 #include "app/timing.h"
@@ -12,6 +15,7 @@ struct PhysicsOutcome {
   double seconds = 0.0;                        // [s] from first to last step
   Durations stepTimes;
   std::string failure;                         // of a script; empty: none
+  std::vector<std::string> lostStitches;       // why a script set them anew
   bool realtime = false;
 };
 

@@ -43,6 +43,28 @@ TEST(StitchPlaces, AreNotMirroredAfterAnExcision) {
   EXPECT_DOUBLE_EQ(script.actions[3].angleDegrees, 120.0);
 }
 
+/// Each attempt clears away the one before and goes so far from the stitch's place; the last stitch's asks for a thread only to begin anew.
+TEST(StitchPlaces, AreTriedAgainBesideWhereAScriptSaysSo) {
+  const auto script = scenes::parseExpert("scene = \"lembert\"\nstitch_at_deg = [0, 20]\nagain_deg = [4, -3]\n" + kStitch, "test");
+  std::vector<std::string> kinds[2][3];
+  double left[2][3] = {}, right[2][3] = {};    // [deg]
+  for (const scenes::ExpertAction& a : script.actions) {
+    ASSERT_TRUE(a.stitch >= 0 && a.stitch < 2 && a.attempt >= 0 && a.attempt < 3);
+    kinds[a.stitch][a.attempt].push_back(a.kind);
+    if (a.kind == "bite") (a.bowel == 0 ? left : right)[a.stitch][a.attempt] = a.angleDegrees;
+  }
+  const double turn[] = {0.0, 4.0, -3.0};      // [deg]
+  for (int stitch = 0; stitch < 2; ++stitch)
+    for (int attempt = 0; attempt < 3; ++attempt) {
+      std::vector<std::string> expected = {"bite", "bite", "cut"};
+      if (attempt > 0) expected.insert(expected.begin(), {"take_out", "fresh_thread"});
+      if (stitch == 0) expected.push_back("fresh_thread");
+      EXPECT_EQ(kinds[stitch][attempt], expected) << stitch << attempt;
+      EXPECT_DOUBLE_EQ(left[stitch][attempt], 90.0 + 20.0 * stitch + turn[attempt]);
+      EXPECT_DOUBLE_EQ(right[stitch][attempt], 90.0 - 20.0 * stitch - turn[attempt]);
+    }
+}
+
 /// What a level does not do is not in its stitches; the thread between them is asked for at each level by itself.
 TEST(StitchPlaces, MayDifferWithTheLevelOfAssistance) {
   const std::string tie = "[[action]]\ndo = \"let_go\"\nassist = \"none\"\n";
@@ -66,6 +88,8 @@ TEST(StitchPlaces, AreAnglesAndNotTooMany) {
   testing::expectRefused([&] { parse("[]"); }, {"test:2", "stitch_at_deg", "1 to 60"});
   testing::expectRefused([&] { parse("[0, 200]"); }, {"test:2", "stitch_at_deg", "-180 to 180"});
   testing::expectRefused([&] { parse("[0, \"top\"]"); }, {"test:2", "stitch_at_deg"});
+  testing::expectRefused([&] { parse("[0]\nagain_deg = 4"); }, {"test:3", "again_deg", "1 to 60"});
+  testing::expectRefused([&] { scenes::parseExpert("scene = \"lembert\"\nagain_deg = [4]\n" + kStitch, "test"); }, {"test:1", "again_deg", "stitch_at_deg"});
   testing::expectRefused([&] { parse("{ none = [0] }"); }, {"test:2", "stitch_at_deg", "both levels"});
   testing::expectRefused([&] { parse("{ none = [0], glue = [0] }"); }, {"test:2", "stitch_at_deg.glue", "\"none\" or \"knot\""});
   testing::expectRefused([&] { parse("{ none = [0], knot = [] }"); }, {"test:2", "stitch_at_deg.knot", "1 to 60"});

@@ -1,0 +1,56 @@
+/// A stitch that a script cannot finish: its thread is drawn out of the tissue and a fresh one asked for (`again_deg` of scenes/expert.h).
+#include <gtest/gtest.h>
+
+#include "scenes/expert.h"
+#include "tests/scenes/sewn_ends.h"
+
+namespace halsted {
+namespace {
+
+/// An untied stitch that nobody holds, and a script that would tie it.
+class LostStitch : public ::testing::Test {
+ protected:
+  SewnEnds ends{{.stitches = 1, .spacing = 4e-3, .depth = 5e-3, .gap = 3e-3, .assist = true, .spare = 1}};
+  std::vector<std::string> failures;
+
+  /// True while the script has something to do; at most a minute of virtual time.
+  void run(const std::string& keys) {
+    constexpr int kSteps = 60000;
+    const auto script = scenes::parseExpert("scene = \"stay\"\n" + keys + "[[action]]\ndo = \"tie\"\ntie = \"1=1\"\n", "test");
+    const scenes::ExpertStatePtr surgeon = scenes::beginExpert(script, ends.model);
+    std::array<HandTarget, kHands> hands;
+    ends.letGo();
+    bool busy = true;
+    for (int k = 0; busy && k < kSteps; ++k) {
+      std::string failure;
+      busy = scenes::advanceExpert(script, ends.model, ends.state, *surgeon, hands, failure);
+      if (!failure.empty()) failures.push_back(failure);
+      for (int hand = 0; hand < kHands; ++hand) {
+        ends.input.tools[hand].pose = hands[hand].pose;
+        ends.input.tools[hand].jaw = hands[hand].jaw;
+      }
+      ends.input.command = scenes::takeSpokenCommand(*surgeon);
+      ends.step();
+    }
+    EXPECT_FALSE(busy);
+  }
+};
+
+TEST_F(LostStitch, IsDrawnOutAndBegunAnewWithAFreshThread) {
+  run("stitch_at_deg = [0]\nagain_deg = [5]\n");
+  ASSERT_EQ(failures.size(), 2u);              // then there is no stitch, and no other attempt
+  EXPECT_NE(failures[0].find("the hands do not hold the two tails"), std::string::npos) << failures[0];
+  EXPECT_NE(failures[1].find("there is no stitch"), std::string::npos) << failures[1];
+  EXPECT_EQ(ends.state.strand.holeCount, 0);
+  EXPECT_EQ(ends.state.supply->handed, 1);
+  EXPECT_EQ(ends.state.metrics.tears, 0);      // drawn through its holes, not torn out
+}
+
+TEST_F(LostStitch, EndsAScriptThatDoesNotSayWhereElse) {
+  run("stitch_at_deg = [0]\n");
+  ASSERT_EQ(failures.size(), 1u);
+  EXPECT_EQ(ends.state.strand.holeCount, 2);
+}
+
+}  // namespace
+}  // namespace halsted
