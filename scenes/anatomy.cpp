@@ -17,8 +17,9 @@ TetMesh buildWall(const SceneFile& scene) {
   const bool real = !anatomy.mesh.empty();
   const Surface surface = real ? readSurface(anatomy.mesh, anatomy.scale) : Surface{};
   try {
-    if (anatomy.layout == "prolapse") return prolapse(anatomy);
+    if (anatomy.layout == "prolapse" && !real) return prolapse(anatomy);
     const TetMesh one = real ? tubeSegment(surface, anatomy) : proceduralColon(anatomy);
+    if (anatomy.layout == "prolapse") return prolapse(anatomy, crossSection(one, anatomy));
     if (anatomy.layout == "two_ends") return twoEnds(one, anatomy.gap);
     return anatomy.layout == "end_to_end" ? endToEnd(one, anatomy.gap) : one;
   } catch (const InputError& error) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenes/input_text.h"
+#include "scenes/scene.h"
 #include "scenes/tube_grid.h"
 #include "sim/portable_math.h"
 
@@ -10,6 +12,7 @@ namespace halsted::scenes {
 namespace {
 
 constexpr double kTipShare = 0.6;              // [1] of the length lies in front of the origin: the middle of what the hands reach
+constexpr double kLeastLumen = 3e-3;           // [m] radius within the inner wall
 constexpr int kFoldCells = 4;                  // round the fold, 45 degrees each
 
 /// A point of the swept section and the direction through the wall there, from the mucosa to the serosa.
@@ -41,7 +44,10 @@ std::vector<double> rowsOfWall(const AnatomyParams& a, double straight, int belo
   return rows;
 }
 
-void sweep(const AnatomyParams& a, const ProlapseProfile& p, TubeGrid& grid, TetMesh& mesh) {
+double middleRadius(const AnatomyParams& a) { return a.radius - a.wall - 0.5 * a.gap; }   // [m] between both walls
+
+void sweep(const AnatomyParams& a, const ProlapseProfile& p, const std::vector<double>& section, TetMesh& mesh) {   // [1]
+  TubeGrid grid;
   grid.around = a.around;
   grid.along = static_cast<int>(p.along.size());
   for (int row = 0; row < grid.along; ++row) {
@@ -49,13 +55,14 @@ void sweep(const AnatomyParams& a, const ProlapseProfile& p, TubeGrid& grid, Tet
     for (int column = 0; column < grid.around; ++column) {
       const double angle = 2.0 * kPi * column / grid.around;                 // [rad]
       for (const double deep : {0.0, a.wall}) {                              // [m]
-        const double r = at.r + deep * at.inR;                               // [m]
+        const double r = at.r + deep * at.inR + (section[column] - 1.0) * middleRadius(a);   // [m]
         mesh.vertices.emplace_back(r * cosine(angle), r * sine(angle), at.z + deep * at.inZ);
         mesh.uv.emplace_back(static_cast<double>(column) / grid.around, p.fromLine[row]);
         mesh.bowel.push_back(row < p.firstOuterRow ? 1 : 0);
       }
     }
   }
+  addWallTets(grid, mesh);
 }
 
 /// Mucosa and serosa are named as the layers of any bowel: 1 and 0.
@@ -104,13 +111,19 @@ ProlapseProfile prolapseProfile(const AnatomyParams& a) {
   return p;
 }
 
-TetMesh prolapse(const AnatomyParams& params) {
+TetMesh prolapse(const AnatomyParams& params) { return prolapse(params, std::vector<double>(params.around, 1.0)); }
+
+TetMesh prolapse(const AnatomyParams& params, const std::vector<double>& section) {   // [1]
+  const double narrowest = *std::min_element(section.begin(), section.end());
+  if (narrowest * middleRadius(params) - 0.5 * params.gap - params.wall < kLeastLumen)
+    throw InputError("the real bowel's section is too flat for two walls in it: at its narrowest " + plainNumber(narrowest) + " of its mean radius");
   const ProlapseProfile profile = prolapseProfile(params);
-  TubeGrid grid;
   TetMesh mesh;
-  sweep(params, profile, grid, mesh);
-  addWallTets(grid, mesh);
+  sweep(params, profile, section, mesh);
   nameLayers(mesh);
+  TubeGrid grid;
+  grid.around = params.around;
+  grid.along = static_cast<int>(profile.along.size());
   markCuttable(profile, grid, 0.5 * bandCells(params) * kCutRow, mesh);
   for (const int wall : {0, 1})                // rims lie on the serosa, as a bowel's outer edge does
     for (int column = 0; column < grid.around; ++column) mesh.rim.push_back(wallVertex(grid, profile.lineRow[wall], column, 1));
@@ -118,6 +131,21 @@ TetMesh prolapse(const AnatomyParams& params) {
     for (int column = 0; column < grid.around; ++column)
       for (const int layer : {0, 1}) mesh.fixed.push_back(wallVertex(grid, row, column, layer));
   return mesh;
+}
+
+std::vector<double> crossSection(const TetMesh& tube, const AnatomyParams& a) {   // [1]
+  TubeGrid grid;
+  grid.around = a.around;
+  std::vector<double> section(a.around, 0.0);  // [1]
+  const int rows = static_cast<int>(tube.vertices.size()) / (2 * a.around);
+  for (int row = 0; row < rows; ++row) {
+    Vec3 middle = Vec3::Zero();                // [m]
+    double mean = 0.0;                         // [m]
+    for (int c = 0; c < a.around; ++c) middle += tube.vertices[wallVertex(grid, row, c, 0)] / a.around;
+    for (int c = 0; c < a.around; ++c) mean += (tube.vertices[wallVertex(grid, row, c, 0)] - middle).norm() / a.around;
+    for (int c = 0; c < a.around; ++c) section[c] += (tube.vertices[wallVertex(grid, row, c, 0)] - middle).norm() / (mean * rows);
+  }
+  return section;
 }
 
 }  // namespace halsted::scenes

@@ -2,6 +2,8 @@
 /// A full-thickness rectal prolapse without a data file: bowel turned inside out through the anus stands toward the surgeon as two walls,
 /// one in the other. The outer one has its mucosa outside, the inner one as any bowel round its lumen; serosa faces serosa between them,
 /// and at the tip one goes over into the other. Deterministic to the bit.
+#include <vector>
+
 #include "sim/mesh.h"
 #include "sim/params.h"
 
@@ -22,6 +24,13 @@ ProlapseProfile prolapseProfile(const AnatomyParams&);
 /// base on both walls. Bowel 0 is the outer wall, bowel 1 the inner; rims are the rows next to the line on the base's side, what is sewn
 /// after the cut; `uv.y` is the distance to the line, positive toward the base. `params` are taken as checked by the scene reader.
 TetMesh prolapse(const AnatomyParams& params);
+
+/// The same with the cross-section of a real bowel: `section` is how far its wall is from its middle in each of `around` directions, over the mean. What lies
+/// between the walls goes in and out with it; thickness, gap and height stay. Throws InputError where that leaves no lumen.
+TetMesh prolapse(const AnatomyParams& params, const std::vector<double>& section);   // [1]
+
+/// Of a tube's wall (scenes/tube.h), the mean over its length.
+std::vector<double> crossSection(const TetMesh& tube, const AnatomyParams&);         // [1]
 
 inline constexpr double kCutRow = 1e-3;        // [m] a row of tets: as wide as what a blade tip burns away
 

@@ -20,8 +20,6 @@ std::string placeOf(const std::string& origin, const SettingOrigins& origins, st
 
 /// Base, cuttable band and specimen one after the other; a lumen within both walls.
 void checkProlapse(const AnatomyParams& anatomy, const std::string& origin, const SettingOrigins& origins) {
-  if (!anatomy.mesh.empty())
-    throw InputError(placeOf(origin, origins, {"anatomy.mesh", "anatomy.layout"}) + ": a prolapse is made without a mesh");
   if (2.0 * anatomy.wall + anatomy.gap > kThickestShare * anatomy.radius)
     throw InputError(placeOf(origin, origins, {"anatomy.gap", "anatomy.wall", "anatomy.radius"}) +
                      ": two walls and the gap between them leave no lumen in this radius");

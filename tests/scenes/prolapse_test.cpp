@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "scenes/procedural_colon.h"
 #include "scenes/prolapse.h"
 #include "scenes/scene.h"
 #include "sim/bowels.h"
@@ -74,6 +75,35 @@ TEST(Prolapse, WallsLieOneInTheOtherAndTheirSerosaeFaceEachOther) {
     EXPECT_NEAR(r, bowels.of[v] == 0 ? a.radius - serosa * a.wall : a.radius - a.gap - (2.0 - serosa) * a.wall, 1e-12);
   }
   EXPECT_NEAR(outerLeast - innerMost, a.gap, 1e-12);
+}
+
+/// An oval section: both walls follow it, as thick and as far apart in every direction as round ones.
+TEST(Prolapse, TakesTheCrossSectionOfARealBowel) {
+  const AnatomyParams a = prolapsed();
+  std::vector<double> oval;                    // [1]
+  for (int c = 0; c < a.around; ++c) oval.push_back(1.0 + 0.15 * cosine(4.0 * kPi * c / a.around));
+  const TetMesh round = scenes::prolapse(a), mesh = scenes::prolapse(a, oval);
+  ASSERT_EQ(mesh.vertices.size(), round.vertices.size());
+  const double middle = a.radius - a.wall - 0.5 * a.gap;         // [m] between the walls
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    const double further = (oval[(v / 2) % a.around] - 1.0) * middle;   // [m]
+    EXPECT_NEAR(radiusOf(mesh.vertices[v]) - radiusOf(round.vertices[v]), further, 1e-12);
+    EXPECT_EQ(mesh.vertices[v].z(), round.vertices[v].z());
+  }
+  EXPECT_GT(testing::worstQuality(mesh), 0.15);
+  oval[5] = 0.2;
+  testing::expectRefused([&] { scenes::prolapse(a, oval); }, {"too flat", "0.2"});
+}
+
+TEST(Prolapse, ReadsTheCrossSectionOffATube) {
+  AnatomyParams a = prolapsed();
+  a.haustraDepth = 0.0;
+  TetMesh tube = scenes::proceduralColon(a);
+  for (Vec3& v : tube.vertices) v.x() *= 1.2;
+  const std::vector<double> section = scenes::crossSection(tube, a);
+  ASSERT_EQ(section.size(), static_cast<std::size_t>(a.around));
+  EXPECT_NEAR(section[0] / section[a.around / 4], 1.2, 0.01);
+  EXPECT_NEAR(std::accumulate(section.begin(), section.end(), 0.0) / a.around, 1.0, 1e-9);
 }
 
 TEST(Prolapse, IsHeldAtTheBaseOfBothWallsAndNowhereElse) {

@@ -48,6 +48,20 @@ TEST_P(RealAnatomy, IsAsWideAsAColonAndAsThickAsItsWall) {
   EXPECT_LT(testing::largestDistanceToOuterLayer(mesh), 2.1e-3);
 }
 
+/// The Altemeier scene's prolapse with the cross-section of this bowel.
+TEST_P(RealAnatomy, LendsAProlapseItsCrossSection) {
+  const Source& anatomy = GetParam();
+  const std::string file = std::string(std::getenv("HALSTED_DATA")) + "/colon/" + anatomy.file;
+  const auto scene = scenes::readScene("altemeier", {"anatomy.mesh=" + file, "anatomy.scale=" + std::string(anatomy.scale), "anatomy.segment=" + std::string(anatomy.segment)});
+  const TetMesh mesh = scenes::buildAnatomy(scene).mesh, round = scenes::buildAnatomy(scenes::readScene("altemeier", {})).mesh;
+  ASSERT_EQ(mesh.vertices.size(), round.vertices.size());
+  EXPECT_GT(testing::worstQuality(mesh), 0.05);
+  double most = 0.0;                           // [m] from the round one
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) most = std::max(most, (mesh.vertices[v] - round.vertices[v]).norm());
+  std::printf("section up to %.1f mm from round\n", 1e3 * most);
+  EXPECT_GT(most, 0.5e-3);
+}
+
 TEST_P(RealAnatomy, GivesTheSameBytesTwice) { EXPECT_EQ(testing::bitsOf(build(GetParam())), testing::bitsOf(build(GetParam()))); }
 
 constexpr const char* kPatient = "patient-00020/large-intestine-DSJ-SF-.vtk";
