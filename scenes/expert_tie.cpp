@@ -41,7 +41,7 @@ bool wantsAnother(const Scene& s) {
 void nextThrow(const Scene& s) {
   if (!letTailGo(s)) return;
   ++s.memory.knot.current;
-  s.memory.knot.misses = 0;
+  s.memory.knot.misses = s.memory.knot.beside = 0;
   s.memory.knot.side = -s.memory.knot.side;
   goTo(s, kLiftLong);
 }

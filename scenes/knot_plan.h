@@ -25,9 +25,11 @@ struct KnotPlan {
   double floor = -1.0;                         // [m] above the stitch: the winding hand goes no lower
   double swept = 0.0;                          // [rad] of this throw's winding
   double hole = 0.0;                           // [m] coordinate of the long end's hole as this throw began: thread drawn through since is slack, not length to wind with
+  double detour = 0.0;                         // [m] that the long end is longer than its straight way up from the hole: over an edge first
   double given = 0.0;                          // [m] by which the winding hand has given way
-  double lower = 0.0;                          // [m] by which the driver stands nearer to the stitch than its thread allows: its device has come to a stop
+  double lower = 0.0;                          // [m] by which the driver stands nearer to the stitch than its thread allows: its device has come to a stop, or the winding hand has nothing more to give
   int misses = 0;                              // of the tail, or of a loop that clings or slides off, in this throw
+  int beside = 0;                              // how often of these the jaws closed beside the tail, or the loop did not reach so far: it is taken nearer to the stitch
   std::array<double, kHands> drawn{}, felt{};  // [m], [N]
   double settled = 0.0;                        // [s]
 };

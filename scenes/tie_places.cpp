@@ -25,10 +25,12 @@ constexpr double kPerTurn = 20e-3;             // [m] of the long end that a sec
 constexpr double kSpare = 3e-3;                // [m] of the long end left at each turn: turns are wider than the jaws
 constexpr double kJaws = 30e-3;                // [m] of the driver that may have thread wound about it
 constexpr double kAbout = 25e-3, kOverTissue = 6e-3;   // [m] of tissue about the stitch; of the winding hand above it
+constexpr double kLevel = 1e-6;                // [1] of the way down; less is rounding of whole turns
 constexpr double kCling = 20e-3;               // [m] from the jaws; a needle that is cut off falls half a metre meanwhile
 constexpr double kFromEnd = 5e-3;              // [m] of tail beyond the jaws
 constexpr double kLongTail = 40e-3, kBeyondGrip = 0.25;   // [m] of tail; of one that is longer [1]
-constexpr double kElsewhere = 4e-3;            // [m] along the tail at each miss
+constexpr double kUpright = 10e-3, kMostDetour = 15e-3;   // [m] above the stitch, past every edge; of thread that is no curl
+constexpr double kElsewhere = 4e-3;            // [m] along the tail, twice at most: what lies beyond the jaws has to come through the loop with them
 
 const StrandState& strand(const Scene& s) { return s.state.strand; }
 
@@ -50,11 +52,13 @@ Pose laid(const Scene& s, int hand, const Vec3& position, std::array<Vec3, 2> sh
 /// Of the long end that winding may use.  [m]
 double longLength(const Scene& s) {
   const double hole = std::fmax(s.memory.knot.hole, longHole(s).coordinate);   // [m]
-  return s.state.tools[kLeft].threadCoordinate - hole - kSlack - kPerThrow * s.memory.knot.current;
+  return s.state.tools[kLeft].threadCoordinate - hole - kSlack - std::fmax(kPerThrow * s.memory.knot.current, s.memory.knot.detour);
 }
 int turns(const Scene& s) { return s.memory.knot.throws[s.memory.knot.current].turns; }   // of this throw
+/// What a loop about the driver leaves of it, all but straight, between its hole and the jaws.  [m]
+double toLoop(const Scene& s) { return longLength(s) - kNearest - kSpare * turns(s) - kLoop * (wholeTurns(s) - 0.5 * kPi); }
 /// The driver above the stitch: so high that the thread is straight all the way round.  [m]
-double heightOf(const Scene& s) { return longLength(s) - kNearest - kSpare * turns(s) - kLoop * (wholeTurns(s) - 0.5 * kPi) - s.memory.knot.lower; }
+double heightOf(const Scene& s) { return toLoop(s) - s.memory.knot.lower; }
 
 }  // namespace
 
@@ -88,7 +92,7 @@ Pose driverPose(const Scene& s, double back) {   // [m] along its shaft
 double tailPlace(const Scene& s) {             // [m] nearer to the stitch on a long tail; what lies beyond must still come through the loop with it
   const double tail = tailHole(s).coordinate;  // [m]
   const double place = tail > kLongTail ? kBeyondGrip * tail : kFromEnd;   // [m]
-  return std::fmin(place + kElsewhere * s.memory.knot.misses, 0.5 * tail);   // where it was missed other thread lies in the way
+  return std::fmin(place + kElsewhere * std::min(s.memory.knot.beside, 2), 0.5 * tail);
 }
 /// Between the stitch and the hand that winds.  [m]
 double longEnd(const Scene& s) {
@@ -130,9 +134,19 @@ Pose windingPose(const Scene& s, const Vec3& driver, double swept) {   // [m], [
     free = rest > 0.0 ? std::sqrt(rest) - b : kNearest;
   }
   const double down = -out.dot(k.up), room = (loop - stitch(s)).dot(k.up) - k.floor;   // [1], [m] under the driver
-  if (down * free > room) free = room / down;  // slack rather than caught on the edges
+  if (down > kLevel && down * free > room) free = room / down;   // slack rather than caught on the edges
   const double distance = std::fmin(kFarthest, std::fmax(kNearest, free));   // [m]
   return laid(s, kLeft, loop + distance * (out - kSlant * shaft), {leftShaft(s, swept < wholeTurns(s) ? kWindRise : kLeftRise), k.side});
+}
+
+double detour(const Scene& s) {                // [m]
+  if (!s.state.cut) return 0.0;                // what comes straight out of a wall has no edge to go over
+  const Vec3 hole = holePoint(s.model, longHole(s), s.state.tissue.position);   // [m]
+  for (int i = threadSpot(s.model.strand, longHole(s).coordinate).node + 1; i < s.model.strand.nodes; ++i) {
+    const Vec3 up = strand(s).position[i] - hole;   // [m]
+    if (up.dot(s.memory.knot.up) > kUpright) return std::fmin(kMostDetour, s.model.strand.place[i] - longHole(s).coordinate - up.norm());
+  }
+  return 0.0;
 }
 
 double wholeTurns(const Scene& s) { return 2.0 * kPi * turns(s); }   // [rad]

@@ -28,6 +28,8 @@ Pose driverPose(const Scene&, double back);    // [m]
 /// The winding hand, having gone so far round the driver, its thread all but straight if that is not too far. `driver`: the tips.
 Pose windingPose(const Scene&, const Vec3& driver, double swept);   // [m], [rad]
 double wholeTurns(const Scene&);               // [rad]
+/// How much longer than its straight way the lifted long end is near its hole, where it goes over an edge first.
+double detour(const Scene&);                   // [m]
 
 /// Coordinates at which the ends are to be taken.
 double tailPlace(const Scene&);                // [m]

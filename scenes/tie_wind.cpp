@@ -13,23 +13,24 @@ constexpr double kWindSpeed = 3.0;             // [rad/s]
 constexpr double kSnug = 0.03, kGive = 0.06;   // [N] more would draw the tail into the tissue: the winding hand gives way; [m/s]
 constexpr double kWider = 6e-3, kOpening = 0.4;   // [m] of thread that the opening jaws take up in a turn; [s]
 constexpr double kTight = 0.15;                // [N] at the winding hand: a loop drawn tighter holds the jaws like a capstan
+constexpr double kArrived = 1e-3, kSettle = 0.6;   // [m] of the jaws from the tail: the device is behind its hand; [s] pressed on tissue, it comes no nearer
 constexpr double kLost = 0.6;                  // [1] of a turn less than planned: the loop has slid off
 
 /// A winding hand that feels its thread gives way.
-void giveWay(const Scene& s) {
+void giveWay(const Scene& s, double snug) {    // [N]
   KnotPlan& k = s.memory.knot;
   feel(k.felt[kLeft], s.state.tools[kLeft].threadForce.norm(), s.dt, kFeelTime);
-  if (k.felt[kLeft] > kSnug) k.given += kGive * s.dt;
-}
-
-/// The winding hand stays beside the driver and keeps the loop on its jaws.
-void follow(const Scene& s) {
-  giveWay(s);
-  moveHand(s, kLeft, windingPose(s, s.memory.hand[kRight].command.position, wholeTurns(s)), 0.15);
+  if (k.felt[kLeft] > snug) k.given += kGive * s.dt;
 }
 
 /// Has the winding hand given way as far as it has to?
 bool isLoose(const Scene& s) { return s.memory.knot.felt[kLeft] < kTight; }
+
+/// The winding hand stays beside the driver and keeps the loop on its jaws.
+void follow(const Scene& s) {
+  giveWay(s, kSnug);
+  moveHand(s, kLeft, windingPose(s, s.memory.hand[kRight].command.position, wholeTurns(s)), 0.15);
+}
 
 /// Is the loop still on the driver? A turn lacks up to a quarter, as it is begun and ended beside the jaws.
 bool loopLost(const Scene& s) { return woundRoundDriver(s) < s.memory.knot.throws[s.memory.knot.current].turns - kLost; }
@@ -63,19 +64,28 @@ void wind(const Scene& s) {
   if (e.phase == kTurn) {
     if (moveHand(s, kLeft, upright(s, kLeft), kMove)) goTo(s, kLiftLong);
   } else if (e.phase == kLiftLong) {
-    if (s.inPhase < 1.5 * s.dt) k.hole = longHole(s).coordinate;
-    k.swept = k.given = k.lower = 0.0;
-    k.felt = {};
+    if (s.inPhase < 1.5 * s.dt) {
+      k.hole = longHole(s).coordinate;
+      k.swept = k.given = k.lower = k.detour = 0.0;
+      k.felt = {};
+    }
+    giveWay(s, kTight);
     e.hand[kRight].jaw = 1.0;
     const bool up = moveHand(s, kLeft, windingPose(s, driverPlace(s), 0.0), kMove);
     const bool ready = moveHand(s, kRight, driverPose(s, kBack), kMove);
-    if (up && ready) goTo(s, kStand);
+    if (!up || !ready) return;
+    k.detour = detour(s);
+    goTo(s, kStand);
   } else if (e.phase == kStand) {
     e.hand[kRight].jaw = 0.0;
+    giveWay(s, kTight);
+    moveHand(s, kLeft, windingPose(s, driverPlace(s), 0.0), kMove);
     if (s.inPhase > 0.2 && s.state.tools[kRight].threadCoordinate >= 0.0 && ++k.misses <= kAttempts) { goTo(s, kUnwind); return; }
     if (s.inPhase > 0.2 && moveHand(s, kRight, driverPose(s, 0.0), kMove) && withinReach(s)) goTo(s, kWind);
   } else if (e.phase == kWind) {
-    giveWay(s);
+    giveWay(s, kSnug);
+    if (!isLoose(s)) k.lower += kCareful * s.dt;   // thread is shorter than was thought, and the hand that gives way as near to the jaws as it gets
+    moveHand(s, kRight, driverPose(s, 0.0), kCareful);
     k.swept = std::fmin(wholeTurns(s), k.swept + kWindSpeed * s.dt);
     const Pose hand = windingPose(s, e.hand[kRight].command.position, k.swept);
     if (moveHand(s, kLeft, hand, 0.25) && k.swept >= wholeTurns(s)) goTo(s, kFollow);
@@ -89,7 +99,11 @@ void fetchTail(const Scene& s, std::string& failure) {
   if (e.phase == kFollow) {
     const bool there = moveHand(s, kRight, above(grip, 8e-3), kCareful);
     follow(s);
-    if (((there && isLoose(s)) || s.inPhase > 3.0) && !windAgain(s)) goTo(s, kOpen);
+    if (!(there && isLoose(s)) && s.inPhase < 3.0) return;
+    if (windAgain(s)) return;
+    if (isLoose(s) || ++e.knot.misses > kAttempts) { goTo(s, kOpen); return; }
+    ++e.knot.beside;                           // opened in a tight loop, the jaws would draw on the stitch
+    goTo(s, kFollow);
   } else if (e.phase == kOpen) {
     double& jaw = e.hand[kRight].jaw;
     if (jaw < 1.0) e.knot.given += e.knot.throws[e.knot.current].turns * kWider / kOpening * s.dt;
@@ -98,7 +112,8 @@ void fetchTail(const Scene& s, std::string& failure) {
     if (s.inPhase > 0.5) goTo(s, kToTail);
   } else if (e.phase == kToTail) {
     if (s.inPhase < 1.5 * s.dt) e.goal[kRight] = {grip.position - 1e-3 * (grip.orientation * Vec3::UnitZ()), grip.orientation};   // not after thread that gives way into soft tissue
-    const bool there = moveHand(s, kRight, e.goal[kRight], kCareful);
+    const bool sent = moveHand(s, kRight, e.goal[kRight], kCareful);
+    const bool there = sent && (s.inPhase > kSettle || (s.state.tools[kRight].proxy.position - e.goal[kRight].position).norm() < kArrived);
     follow(s);
     if (((there && isLoose(s)) || s.inPhase > 2.0) && !windAgain(s)) goTo(s, kClose);
   } else {
@@ -111,6 +126,7 @@ void fetchTail(const Scene& s, std::string& failure) {
     if (holdsTail(s) && !pinched) { goTo(s, kThrough); return; }
     if (++e.knot.misses > kAttempts) failure = "the tail was not taken";
     if (pinched) { goTo(s, kOpen); return; }   // where it is: raised, it would take the loop along
+    ++e.knot.beside;
     e.hand[kRight].jaw = 1.0;                  // whatever it has taken instead
     goTo(s, kFollow);
   }

@@ -1,0 +1,78 @@
+/// The hand that winds the long end round the driver, and the loop that it keeps there (scenes/tie_places.h, tie_wind.cpp).
+#include <gtest/gtest.h>
+
+#include "scenes/expert_state.h"
+#include "scenes/tie_phases.h"
+#include "scenes/tie_places.h"
+#include "sim/portable_math.h"
+#include "tests/scenes/tied_wall.h"
+
+namespace halsted {
+namespace {
+
+/// The wall, the long end in the left hand, and a surgeon about to wind it.
+class Winding : public ::testing::Test {
+ protected:
+  TiedWall w;
+  scenes::ExpertScript script = scenes::parseExpert("scene = \"wall\"\n[[action]]\ndo = \"tie\"\ntie = \"1\"\nlimit_s = 60\n", "test");
+  scenes::ExpertStatePtr memory = scenes::beginExpert(script, w.model);
+
+  void runTo(int phase) {
+    for (int k = 0; k < 30000 && memory->phase != phase; ++k) ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+    ASSERT_EQ(memory->phase, phase);
+  }
+  /// The next steps of a phase, in each of which the left hand feels its thread.
+  void feel(double force, int steps) {         // [N]
+    for (const int phase = memory->phase; steps > 0 && memory->phase == phase; --steps) {
+      w.state.tools[kLeft].threadForce = force * Vec3::UnitZ();
+      ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+    }
+  }
+};
+
+/// Level with its loop after whole turns, the hand gains nothing by going out: a floor above the loop does not send it there.
+TEST_F(Winding, AFloorAboveTheLoopLeavesALevelHandWhereItIs) {
+  runTo(scenes::kFollow);
+  const scenes::Scene scene{w.model, w.state, *memory, script.actions[0], 1e-3, 0.0};
+  const Vec3 driver = memory->hand[kRight].command.position;     // [m]
+  const auto hand = [&](double floor) {        // [m]
+    memory->knot.floor = floor;
+    return scenes::windingPose(scene, driver, scenes::wholeTurns(scene)).position;
+  };
+  EXPECT_LT((hand(0.2) - hand(-1.0)).norm(), 1e-9);
+}
+
+/// Under the driver it goes no lower than the edges, and no farther out either.
+TEST_F(Winding, AFloorKeepsTheHandAboveTheEdges) {
+  runTo(scenes::kWind);
+  const scenes::Scene scene{w.model, w.state, *memory, script.actions[0], 1e-3, 0.0};
+  const auto height = [&](double floor) {      // [m] over the stitch
+    memory->knot.floor = floor;
+    return (scenes::windingPose(scene, memory->hand[kRight].command.position, 1.5 * kPi).position - scenes::stitch(scene)).dot(memory->knot.up);
+  };
+  const double low = height(-1.0);             // [m]
+  EXPECT_NEAR(height(low + 3e-3), low + 3e-3, 1e-3);
+}
+
+/// A hand that gives way and still feels its thread is as near to the jaws as it gets: the driver comes down to the stitch.
+TEST_F(Winding, TheDriverComesDownWhereTheThreadIsShorterThanWasThought) {
+  runTo(scenes::kWind);
+  const auto height = [&] { return w.input.tools[kRight].pose.position.dot(memory->knot.up); };   // [m]
+  const double before = height();              // [m]
+  feel(0.5, 400);
+  EXPECT_LT(height(), before - 5e-3);
+}
+
+/// Jaws that open in a tight loop draw on the stitch: the driver does not, and goes for the tail nearer to it.
+TEST_F(Winding, JawsStayClosedInATightLoopAndComeNearer) {
+  runTo(scenes::kFollow);
+  const scenes::Scene scene{w.model, w.state, *memory, script.actions[0], 1e-3, 0.0};
+  const double before = scenes::tailPlace(scene);   // [m] along the tail
+  feel(0.5, 5000);
+  EXPECT_EQ(memory->phase, scenes::kFollow);
+  EXPECT_LT(w.state.tools[kRight].jaw, 0.1);
+  EXPECT_GT(scenes::tailPlace(scene), before + 2e-3);
+}
+
+}  // namespace
+}  // namespace halsted
