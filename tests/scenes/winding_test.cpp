@@ -68,7 +68,7 @@ TEST_F(Winding, JawsStayClosedInATightLoopAndComeNearer) {
   runTo(scenes::kFollow);
   const scenes::Scene scene{w.model, w.state, *memory, script.actions[0], 1e-3, 0.0};
   const double before = scenes::tailPlace(scene);   // [m] along the tail
-  feel(0.5, 5000);
+  feel(0.5, 3300);
   EXPECT_EQ(memory->phase, scenes::kFollow);
   EXPECT_LT(w.state.tools[kRight].jaw, 0.1);
   EXPECT_GT(scenes::tailPlace(scene), before + 2e-3);
