@@ -1,8 +1,6 @@
 #include "scenes/expert.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <span>
 
 #include "scenes/knot_plan.h"
@@ -13,7 +11,7 @@
 namespace halsted::scenes {
 namespace {
 
-constexpr std::size_t kMaxScriptBytes = 1 << 20, kMaxActions = 1000;
+constexpr std::size_t kMaxScriptBytes = 1 << 20;
 
 struct NumberKey {
   const char* key;

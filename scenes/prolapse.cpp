@@ -46,7 +46,7 @@ std::vector<double> rowsOfWall(const AnatomyParams& a, double straight, int belo
 
 double middleRadius(const AnatomyParams& a) { return a.radius - a.wall - 0.5 * a.gap; }   // [m] between both walls
 
-void sweep(const AnatomyParams& a, const ProlapseProfile& p, const std::vector<double>& section, TetMesh& mesh) {   // [1]
+TubeGrid sweep(const AnatomyParams& a, const ProlapseProfile& p, const std::vector<double>& section, TetMesh& mesh) {   // [1]
   TubeGrid grid;
   grid.around = a.around;
   grid.along = static_cast<int>(p.along.size());
@@ -62,7 +62,7 @@ void sweep(const AnatomyParams& a, const ProlapseProfile& p, const std::vector<d
       }
     }
   }
-  addWallTets(grid, mesh);
+  return grid;
 }
 
 /// Mucosa and serosa are named as the layers of any bowel: 1 and 0.
@@ -119,11 +119,9 @@ TetMesh prolapse(const AnatomyParams& params, const std::vector<double>& section
     throw InputError("the real bowel's section is too flat for two walls in it: at its narrowest " + plainNumber(narrowest) + " of its mean radius");
   const ProlapseProfile profile = prolapseProfile(params);
   TetMesh mesh;
-  sweep(params, profile, section, mesh);
+  const TubeGrid grid = sweep(params, profile, section, mesh);
+  addWallTets(grid, mesh);
   nameLayers(mesh);
-  TubeGrid grid;
-  grid.around = params.around;
-  grid.along = static_cast<int>(profile.along.size());
   markCuttable(profile, grid, 0.5 * bandCells(params) * kCutRow, mesh);
   for (const int wall : {0, 1})                // rims lie on the serosa, as a bowel's outer edge does
     for (int column = 0; column < grid.around; ++column) mesh.rim.push_back(wallVertex(grid, profile.lineRow[wall], column, 1));

@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <span>
 
 #include "scenes/scene.h"
 
 namespace halsted::scenes {
 namespace {
 
-constexpr std::size_t kMaxActions = 1000;
-
-/// One stitch as a script writes it, and the bowels that it joins.
+/// One stitch as a script writes it.
 struct WrittenStitch {
   std::vector<ExpertAction> actions;
   std::optional<ThreadAssist> level;

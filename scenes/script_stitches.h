@@ -9,6 +9,8 @@
 
 namespace halsted::scenes {
 
+inline constexpr std::size_t kMaxActions = 1000;   // of a script
+
 /// Places of the stitches, one after the other: at one level of assistance, or at any.
 struct StitchPlaces {
   std::optional<ThreadAssist> level;

@@ -55,10 +55,8 @@ double longLength(const Scene& s) {
   return s.state.tools[kLeft].threadCoordinate - hole - kSlack - std::fmax(kPerThrow * s.memory.knot.current, s.memory.knot.detour);
 }
 int turns(const Scene& s) { return s.memory.knot.throws[s.memory.knot.current].turns; }   // of this throw
-/// What a loop about the driver leaves of it, all but straight, between its hole and the jaws.  [m]
-double toLoop(const Scene& s) { return longLength(s) - kNearest - kSpare * turns(s) - kLoop * (wholeTurns(s) - 0.5 * kPi); }
 /// The driver above the stitch: so high that the thread is straight all the way round.  [m]
-double heightOf(const Scene& s) { return toLoop(s) - s.memory.knot.lower; }
+double heightOf(const Scene& s) { return longLength(s) - kNearest - kSpare * turns(s) - kLoop * (wholeTurns(s) - 0.5 * kPi) - s.memory.knot.lower; }
 
 }  // namespace
 
@@ -140,7 +138,7 @@ Pose windingPose(const Scene& s, const Vec3& driver, double swept) {   // [m], [
 }
 
 double detour(const Scene& s) {                // [m]
-  if (!s.state.cut) return 0.0;                // what comes straight out of a wall has no edge to go over
+  if (!s.state.cut) return 0.0;                // no edge to go over: a curl near the hole would be taken for one, and the driver stand too low
   const Vec3 hole = holePoint(s.model, longHole(s), s.state.tissue.position);   // [m]
   for (int i = threadSpot(s.model.strand, longHole(s).coordinate).node + 1; i < s.model.strand.nodes; ++i) {
     const Vec3 up = strand(s).position[i] - hole;   // [m]

@@ -55,6 +55,7 @@ TEST(SlowAltemeier, TheSpecimenIsCutOffAndBothEdgesAreSewnToEachOtherByTheScript
     writer.close();
   }
   EXPECT_EQ(run.failure(), "");
+  EXPECT_TRUE(run.lostStitches().empty()) << run.lostStitches().front();
   const State& s = run.state();
   const RunSummary summary = summariseRun("altemeier", "t", scenario.model, s, run.stepTimes(), 1.0);
   EXPECT_TRUE(summary.completed);

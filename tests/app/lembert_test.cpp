@@ -33,6 +33,7 @@ TEST(SlowLembert, StitchesAreBittenTiedCutAndFollowedByTheNextWithoutAFaultOrATe
   Lockstep run(scenario);
   while (run.advance()) worst.look(run.state(), run.input());
   EXPECT_EQ(run.failure(), "");
+  EXPECT_TRUE(run.lostStitches().empty()) << run.lostStitches().front();
   const State& s = run.state();
   const RunSummary summary = summariseRun("lembert", "t", scenario.model, s, run.stepTimes(), 1.0);
   for (const ProcedureLine& line : summary.procedure) EXPECT_EQ(line.faults, 0) << line.id;

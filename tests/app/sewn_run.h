@@ -28,6 +28,7 @@ inline double hardestHole(const State& s) {    // [N]
 /// Completed without a failure, a fault or a tear, the needle cut off and nothing else broken. Returns the report's metrics by their names.
 inline std::map<std::string, double> expectSewn(const Lockstep& run, const std::string& name) {   // by the name's unit
   EXPECT_EQ(run.failure(), "");
+  EXPECT_TRUE(run.lostStitches().empty()) << run.lostStitches().front();
   const RunSummary summary = summariseRun(name, "t", run.scenario().model, run.state(), run.stepTimes(), 1.0);
   EXPECT_TRUE(summary.completed);
   for (const ProcedureLine& line : summary.procedure) EXPECT_EQ(line.faults, 0) << line.id;

@@ -13,7 +13,7 @@ class LostStitch : public ::testing::Test {
   SewnEnds ends{{.stitches = 1, .spacing = 4e-3, .depth = 5e-3, .gap = 3e-3, .assist = true, .spare = 1}};
   std::vector<std::string> failures;
 
-  /// True while the script has something to do; at most a minute of virtual time.
+  /// To the script's end, within a minute of virtual time.
   void run(const std::string& keys) {
     constexpr int kSteps = 60000;
     const auto script = scenes::parseExpert("scene = \"stay\"\n" + keys + "[[action]]\ndo = \"tie\"\ntie = \"1=1\"\n", "test");
