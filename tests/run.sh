@@ -57,16 +57,16 @@ release_suite() {
   local code=0
   local filter=(-LE usb)                        # the whole must stay under 25 minutes: these are left to the sweeps
   [ "$mode" = suite ] && filter+=(-E 'SlowAltemeier|SlowLembert|SlowConnell|SlowFriction|SlowPurseString.*(patient|reference)')
-  ctest --test-dir build/release -j "$jobs" --output-on-failure "${filter[@]}" >"$logs/ctest.log" 2>&1 || code=$?
+  ctest --no-tests=error --test-dir build/release -j "$jobs" --output-on-failure "${filter[@]}" >"$logs/ctest.log" 2>&1 || code=$?
   # Emulated devices answer in real time: a computer busy elsewhere for 10 ms silences them, so these run alone and may be tried again.
-  ctest --test-dir build/release --output-on-failure -L usb --repeat until-pass:3 >>"$logs/ctest.log" 2>&1 || code=$?
+  ctest --no-tests=error --test-dir build/release --output-on-failure -L usb --repeat until-pass:3 >>"$logs/ctest.log" 2>&1 || code=$?
   grep -vE '^ *[0-9]+/[0-9]+ Test .*Passed|^ +Start ' "$logs/ctest.log"
   return $code
 }
 
 # The golden hashes were written by gcc, optimised; clang without optimisation must reach the same bits.
 other_compiler() {
-  build clang halsted halsted_app_tests && ctest --test-dir build/clang -j "$jobs" --output-on-failure -R 'Golden|Determinism'
+  build clang halsted halsted_app_tests && ctest --no-tests=error --test-dir build/clang -j "$jobs" --output-on-failure -R 'Golden|Determinism'
 }
 
 # Address and undefined-behaviour sanitizers over every folder's tests; the long-running ones only in the full mode.
@@ -79,8 +79,8 @@ address_sanitizer() {
     export HALSTED_ABUSE_STEPS=1000
   fi
   local code=0
-  timeout 3600 ctest --test-dir build/asan -j "$jobs" --output-on-failure "${filter[@]}" || code=$?
-  ctest --test-dir build/asan --output-on-failure -L usb || code=$?   # alone, as above, but not again: a fault of memory may come once
+  timeout 3600 ctest --no-tests=error --test-dir build/asan -j "$jobs" --output-on-failure "${filter[@]}" || code=$?
+  ctest --no-tests=error --test-dir build/asan --output-on-failure -L usb || code=$?   # alone, as above, but not again: a fault of memory may come once
   return $code
 }
 
@@ -90,7 +90,7 @@ thread_sanitizer() {
   build tsan halsted halsted_app_tests halsted_haptics_tests halsted_hd_tests halsted_vendor_tests || return 1
   local filter=(-R 'TripleBuffer|SpscRing|Train|Haptic|HandLoop|^hd\.|^vendor\.' -E 'InstalledLibrary')
   [ "$mode" = full ] && filter=(-LE lint)
-  timeout 3000 ctest --test-dir build/tsan -j 1 --output-on-failure "${filter[@]}"
+  timeout 3000 ctest --no-tests=error --test-dir build/tsan -j 1 --output-on-failure "${filter[@]}"
 }
 
 fuzz() {
