@@ -29,7 +29,7 @@ struct KnotPlan {
   double given = 0.0;                          // [m] by which the winding hand has given way
   double lower = 0.0;                          // [m] by which the driver stands nearer to the stitch than its thread allows: its device has come to a stop, or the winding hand has nothing more to give
   int misses = 0;                              // of the tail, or of a loop that clings or slides off, in this throw
-  int beside = 0;                              // how often of these the jaws closed beside the tail, or the loop did not reach so far: it is taken nearer to the stitch
+  int beside = 0;                              // how often of these the jaws closed beside the tail, or the loop did not reach so far: it is taken a little further along
   std::array<double, kHands> drawn{}, felt{};  // [m], [N]
   double settled = 0.0;                        // [s]
 };

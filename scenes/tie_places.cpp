@@ -30,7 +30,7 @@ constexpr double kCling = 20e-3;               // [m] from the jaws; a needle th
 constexpr double kFromEnd = 5e-3;              // [m] of tail beyond the jaws
 constexpr double kLongTail = 40e-3, kBeyondGrip = 0.25;   // [m] of tail; of one that is longer [1]
 constexpr double kUpright = 10e-3, kMostDetour = 15e-3;   // [m] above the stitch, past every edge; of thread that is no curl
-constexpr double kElsewhere = 4e-3;            // [m] along the tail, twice at most: what lies beyond the jaws has to come through the loop with them
+constexpr double kElsewhere = 4e-3;            // [m] along the tail and back: all that lies beyond the jaws has to come through the loop with them
 
 const StrandState& strand(const Scene& s) { return s.state.strand; }
 
@@ -87,10 +87,11 @@ Pose driverPose(const Scene& s, double back) {   // [m] along its shaft
   return laid(s, kRight, driverPlace(s) + back * driverShaft(s), {driverShaft(s), s.memory.knot.side});
 }
 
-double tailPlace(const Scene& s) {             // [m] nearer to the stitch on a long tail; what lies beyond must still come through the loop with it
+double tailPlace(const Scene& s) {             // [m]
   const double tail = tailHole(s).coordinate;  // [m]
-  const double place = tail > kLongTail ? kBeyondGrip * tail : kFromEnd;   // [m]
-  return std::fmin(place + kElsewhere * std::min(s.memory.knot.beside, 2), 0.5 * tail);
+  const double place = tail > kLongTail ? kBeyondGrip * tail : kFromEnd;   // [m] nearer to the stitch on a long tail
+  const double aside = s.memory.knot.beside % 2 == 0 ? 0.0 : place > kElsewhere + kFromEnd ? -kElsewhere : kElsewhere;   // [m]
+  return std::fmin(place + aside, 0.5 * tail);
 }
 /// Between the stitch and the hand that winds.  [m]
 double longEnd(const Scene& s) {
