@@ -165,8 +165,8 @@ void measureSeam(const SeamMetrics& seam, int lastBite, StepOutput& out) {
   set(Quantity::kCrossings, seam.join.crossings);
   set(Quantity::kRimGap, seam.join.rimGap);
   set(Quantity::kWallGap, seam.join.wallGap);
-  const bool held = out.seen[static_cast<int>(Quantity::kTailsHeld)] > 0.0;
-  set(Quantity::kReleasedGap, held ? std::numeric_limits<double>::quiet_NaN() : seam.join.wallGap);   // what is held up meets no condition
+  const bool released = out.seen[static_cast<int>(Quantity::kTailsHeld)] == 0.0 && seam.join.crossings > 0;
+  set(Quantity::kReleasedGap, released ? seam.join.wallGap : std::numeric_limits<double>::quiet_NaN());   // what is held up, or not sewn, meets no condition
   set(Quantity::kInversion, seam.join.inversion);
   set(Quantity::kTailDifference, seam.join.tailDifference);
   set(Quantity::kWallShare, lastBite >= 0 ? seam.wallShare[lastBite] : 0.0);

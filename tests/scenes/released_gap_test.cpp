@@ -8,9 +8,11 @@
 namespace halsted {
 namespace {
 
+double lastSeen(const SewnEnds& ends, Quantity q) { return ends.out.seen[static_cast<int>(q)]; }
+
 TEST(ReleasedGap, IsTheGapOfTheWallsOnlyWhileNoHandHoldsTheThread) {
   SewnEnds ends({.stitches = 2});
-  const auto seen = [&](Quantity q) { return ends.out.seen[static_cast<int>(q)]; };
+  const auto seen = [&](Quantity q) { return lastSeen(ends, q); };
   ends.tighten();
   EXPECT_EQ(seen(Quantity::kTailsHeld), 2.0);
   EXPECT_TRUE(std::isfinite(seen(Quantity::kWallGap)));
@@ -19,6 +21,17 @@ TEST(ReleasedGap, IsTheGapOfTheWallsOnlyWhileNoHandHoldsTheThread) {
   EXPECT_EQ(seen(Quantity::kTailsHeld), 0.0);
   EXPECT_GT(seen(Quantity::kWallGap), 0.0);
   EXPECT_EQ(seen(Quantity::kReleasedGap), seen(Quantity::kWallGap));
+}
+
+/// Ends that lie near to each other from the start have not been sewn: asking for the next thread passes no inspection.
+TEST(ReleasedGap, IsOfNoEndsThatNothingJoins) {
+  SewnEnds ends({.stitches = 2});
+  ends.letGo();
+  ASSERT_TRUE(std::isfinite(lastSeen(ends, Quantity::kReleasedGap)));
+  ends.state.strand.holeCount = 0;
+  for (int i = 0; i < 20; ++i) ends.step();
+  EXPECT_LT(lastSeen(ends, Quantity::kWallGap), 1.5e-3);
+  EXPECT_TRUE(std::isnan(lastSeen(ends, Quantity::kReleasedGap)));
 }
 
 }  // namespace

@@ -1,0 +1,125 @@
+#include "tests/app/abuse_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "sim/contact/geometry.h"
+#include "sim/contact/surface.h"
+#include "sim/fields.h"
+#include "sim/tools/tool_shape.h"
+
+namespace halsted::app {
+namespace {
+
+constexpr double kAbout = 5e-3;                // [m] of thread: the hole leads it, jaws pinch it
+constexpr double kReach = 8e-3;                // [m]
+
+struct NumberCheck {
+  bool good = true;
+  void size(const FieldPath&, std::size_t) {}
+  template <class T> void leaf(const FieldPath&, const T* data, std::size_t count, int) {
+    if constexpr (std::is_same_v<std::remove_const_t<T>, double>)
+      for (std::size_t i = 0; i < count; ++i) good = good && std::isfinite(data[i]);
+  }
+};
+
+/// On its way through the wall, from the first hole of a bite to its last, or led by a hole.
+bool ledByHole(const StrandState& s, double coordinate) {        // [m]
+  for (int i = 0; i < s.holeCount; ++i) {
+    const Hole& h = s.holes[i];
+    if (std::fabs(h.coordinate - coordinate) < kAbout) return true;
+    const bool tipInside = h.role == static_cast<int>(HoleRole::kEntry) && (i + 1 == s.holeCount || s.holes[i + 1].bite != h.bite);
+    if (tipInside && coordinate > h.coordinate) return true;
+    if (i + 1 < s.holeCount && s.holes[i + 1].bite == h.bite && coordinate > h.coordinate && coordinate < s.holes[i + 1].coordinate) return true;
+  }
+  return false;
+}
+
+double depthInTissue(const Model& m, const State& s, const Vec3& p) {   // [m], negative outside
+  const SurfaceNow now{s.tissue.position, s.tissue.gone};
+  int near = nearestVertex(m.surface, now, p);
+  const SurfacePoint at = nearestSurface(m.surface, now, p, kReach, near);
+  return at.triangle < 0 ? -kReach : -at.distance;
+}
+
+double depthInTools(const Model& m, const State& s, const Vec3& p, double coordinate) {   // [m]
+  const auto solids = worldSolids(m, s);
+  double deepest = -kReach;                    // [m]
+  for (int k = 0; k < kSolids; ++k) {
+    const int hand = solidHand(k);
+    if (hand >= 0 && std::fabs(s.tools[hand].threadCoordinate - coordinate) < kAbout) continue;
+    if (hand >= 0 && s.tools[hand].holdsNeedle) continue;        // such jaws do not collide with thread (README)
+    const CapsuleShape& c = solids[k];
+    deepest = std::fmax(deepest, c.radius - (p - c.a - closestOnSegment(p, c.a, c.b) * (c.b - c.a)).norm());
+  }
+  return deepest;
+}
+
+/// Where a segment goes through a face of the tissue: its layer (0 serosa, 1 mucosa, 2 edge), -1 none.
+int faceCrossed(const Model& m, const State& s, const Vec3& a, const Vec3& b) {
+  const Vec3 way = b - a;
+  for (std::size_t f = 0; f < m.surface.triangles.size(); ++f) {
+    const auto& v = m.surface.triangles[f];
+    const Vec3& p = s.tissue.position[v[0]];
+    if ((p - a).squaredNorm() > kReach * kReach || !exposed(m.surface, s.tissue.gone, static_cast<int>(f))) continue;
+    const Vec3 e1 = s.tissue.position[v[1]] - p, e2 = s.tissue.position[v[2]] - p, h = way.cross(e2);   // Moeller and Trumbore 1997
+    const double det = e1.dot(h);
+    if (det == 0.0) continue;
+    const Vec3 q = (a - p).cross(e1);
+    const double u = (a - p).dot(h) / det, w = way.dot(q) / det, t = e2.dot(q) / det;   // [1]
+    if (u >= 0.0 && w >= 0.0 && u + w <= 1.0 && t >= 0.0 && t < 1.0) return f < m.mesh.triangleLayer.size() ? m.mesh.triangleLayer[f] : 2;
+  }
+  return -1;
+}
+
+/// In by one side of a wall and out by the other, no hole on the way, and deep in between: cut off at a corner is not through.
+int timesThrough(const Model& m, const State& s) {
+  int times = 0, in = -1;                      // the face by which it went in
+  double deepest = 0.0;                        // [m] since
+  for (int i = 0; i + 1 < static_cast<int>(s.strand.position.size()); ++i) {
+    const Vec3 &a = s.strand.position[i], &b = s.strand.position[i + 1];
+    if (ledByHole(s.strand, m.strand.place[i]) || ledByHole(s.strand, m.strand.place[i + 1])) { in = -1; continue; }
+    const int face = faceCrossed(m, s, a, b);
+    if (in >= 0) deepest = std::max({deepest, depthInTissue(m, s, a), depthInTissue(m, s, 0.5 * (a + b))});
+    if (face < 0) continue;
+    times += in >= 0 && in + face == 1 && deepest > kDeep;       // serosa and mucosa, in either order
+    in = in < 0 ? face : -1;
+    deepest = 0.0;
+  }
+  return times;
+}
+
+}  // namespace
+
+bool finite(const State& s) {
+  NumberCheck check;
+  visitFields(const_cast<State&>(s), check);   // the check only reads
+  return check.good;
+}
+
+double kineticEnergy(const Model& m, const State& s) {           // [J]
+  double sum = 0.0;                            // [J]
+  for (std::size_t i = 0; i < s.tissue.velocity.size(); ++i) sum += 0.5 * m.tissue.mass[i] * s.tissue.velocity[i].squaredNorm();
+  for (std::size_t i = 0; i < s.strand.velocity.size(); ++i) sum += 0.5 * m.strand.mass[i] * s.strand.velocity[i].squaredNorm();
+  return sum;
+}
+
+ThreadDepth threadDepth(const Model& m, const State& s) {
+  ThreadDepth d;
+  for (int i = 0; i < static_cast<int>(s.strand.position.size()); ++i) {
+    const double coordinate = m.strand.place[i];                 // [m]
+    if (ledByHole(s.strand, coordinate)) continue;
+    const Vec3& p = s.strand.position[i];
+    const double tissue = depthInTissue(m, s, p), tool = depthInTools(m, s, p, coordinate);   // [m]
+    d.tissue = std::fmax(d.tissue, tissue);
+    d.tool = std::fmax(d.tool, tool);
+    d.inTissue += tissue > kDeep;
+    d.inTool += tool > kDeep;
+    ++d.nodes;
+  }
+  d.through = timesThrough(m, s);
+  return d;
+}
+
+}  // namespace halsted::app
