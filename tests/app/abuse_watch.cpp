@@ -98,13 +98,6 @@ bool finite(const State& s) {
   return check.good;
 }
 
-double kineticEnergy(const Model& m, const State& s) {           // [J]
-  double sum = 0.0;                            // [J]
-  for (std::size_t i = 0; i < s.tissue.velocity.size(); ++i) sum += 0.5 * m.tissue.mass[i] * s.tissue.velocity[i].squaredNorm();
-  for (std::size_t i = 0; i < s.strand.velocity.size(); ++i) sum += 0.5 * m.strand.mass[i] * s.strand.velocity[i].squaredNorm();
-  return sum;
-}
-
 ThreadDepth threadDepth(const Model& m, const State& s) {
   ThreadDepth d;
   for (int i = 0; i < static_cast<int>(s.strand.position.size()); ++i) {

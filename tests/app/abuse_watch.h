@@ -8,9 +8,6 @@ namespace halsted::app {
 /// Is every number of the state a number?
 bool finite(const State&);
 
-/// Of tissue and thread.  [J]
-double kineticEnergy(const Model&, const State&);
-
 /// How deep thread lies where it should not: away from its holes in the tissue, away from the place where jaws hold it in a tool.
 struct ThreadDepth {
   double tissue = 0.0, tool = 0.0;             // [m] deepest node below a surface

@@ -1,15 +1,16 @@
-/// Every scene, and hands that do anything: the step stays finite and bounded, thread stays out of tissue and tools, and the same hands bring
-/// about the same bits again. From the scene's start and from the middle of its script, with thread in the walls or a pen under current.
-/// 2000 steps a case, or as many as HALSTED_ABUSE_STEPS says.
+/// Every scene, and hands that do anything: the step stays finite and bounded, little of the thread sinks into tissue and tools, and the same
+/// hands bring about the same bits again. How often thread goes right through a wall is counted and printed: it does, over an edge (README). From
+/// the scene's start and from the middle of its script, with thread in the walls or a pen under current. 2000 steps a case, or as many as
+/// HALSTED_ABUSE_STEPS says.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
 #include <string>
 
 #include "tests/app/abuse_watch.h"
 #include "tests/app/scenario_for_tests.h"
 #include "tests/sim/hand_noise.h"
+#include "tests/sim/kinetic_energy.h"
 
 namespace halsted::app {
 namespace {
@@ -18,9 +19,6 @@ constexpr int kAsk = 97;                       // steps: again and again a new t
 constexpr int kLook = 64;                      // steps between two looks at the thread
 constexpr int kAgain = 1000;                   // steps at the end that are done twice
 constexpr int kStill = 1000;                   // steps of still hands after all
-/// The hands move in a box: its diagonal of 43 mm and the coupling allow 43 N, and tissue that the long shaft sweeps along as a hand turns holds
-/// the tool back by as much again. What a device is sent of it is limited elsewhere.
-constexpr double kMostForce = 90.0;            // [N]
 
 StepInput handsAsTheyAre(const State& s) {
   StepInput input;
@@ -78,8 +76,8 @@ class WildHands : public ::testing::TestWithParam<Case> {
     step(scenario_.model, input_, s, out_);
     for (const ToolState& t : s.tools) most_ = std::max(most_, t.force.norm());
     liveliest_ = std::max(liveliest_, kineticEnergy(scenario_.model, s));
-    if (s.step % kLook != 0) return;
     broken_ += finite(s) ? 0 : 1;
+    if (s.step % kLook != 0) return;
     const ThreadDepth d = threadDepth(scenario_.model, s);
     deepest_.tissue = std::max(deepest_.tissue, d.tissue);
     deepest_.tool = std::max(deepest_.tool, d.tool);
@@ -89,19 +87,19 @@ class WildHands : public ::testing::TestWithParam<Case> {
     deepest_.nodes += d.nodes;
   }
   /// The last steps once more, from a saved state.
-  void expectTheSameAgain() {
+  void expectTheSameAgain(int steps) {
     const std::vector<std::uint8_t> saved = save(run_.state());
     const HandNoise hands = hands_;
     const StepInput input = input_;
     const int asked = asked_;
-    drive(kAgain);
+    drive(steps);
     const std::uint64_t once = hash(run_.state());
     std::string error;
     ASSERT_TRUE(load(saved, run_.state(), error)) << error;
     hands_ = hands;
     input_ = input;
     asked_ = asked;
-    drive(kAgain);
+    drive(steps);
     EXPECT_EQ(hash(run_.state()), once);
   }
 
@@ -111,31 +109,32 @@ class WildHands : public ::testing::TestWithParam<Case> {
   StepInput input_;
   StepOutput out_;
   double most_ = 0.0, liveliest_ = 0.0;        // [N] [J]
-  int broken_ = 0, asked_ = 0;                 // looks, steps
+  int broken_ = 0, asked_ = 0;                 // steps
   ThreadDepth deepest_;
 };
 INSTANTIATE_TEST_SUITE_P(Scene, WildHands, ::testing::ValuesIn(cases()),
                          [](const auto& c) { return std::string(c.param.scene) + (c.param.script > 1.0 ? "_at_work_" : "_at_start_") + std::to_string(c.param.seed); });
 
+/// The hands move at 0.15 m/s in a box of 43 mm: its diagonal and the coupling allow 43 N.
 TEST_P(WildHands, StayFiniteAndNothingIsFlung) {
   while (run_.time() < GetParam().script && run_.advance()) {}
   input_ = handsAsTheyAre(run_.state());
-  const int steps = abuseSteps();
-  drive(std::max(0, steps - kAgain));
-  expectTheSameAgain();
+  const int steps = abuseSteps(), again = std::min(steps, kAgain);
+  drive(steps - again);
+  expectTheSameAgain(again);
   hold(kStill);
   const State& s = run_.state();
   const double left = kineticEnergy(scenario_.model, s);         // [J]
   double mass = 0.0;                           // [kg]
   for (double m : scenario_.model.tissue.mass) mass += m;
-  std::printf("%s from %.1f s, seed %d, %d steps: at most %.2f N, %.3f mJ of %.1f g, %.1e J left; %d holes, %d tears, %d breaks, %d looks with a number that is none; "
+  std::printf("%s from %.1f s, seed %d, %d steps: at most %.2f N, %.3f mJ of %.1f g, %.1e J left; %d holes, %d tears, %d breaks, %d steps with a number that is none; "
               "of %d nodes looked at, deeper than %.1f mm in tissue %d (at most %.2f mm), in tools %d (%.2f mm), through a wall %d\n",
               GetParam().scene, GetParam().script, static_cast<int>(GetParam().seed), steps, most_, 1e3 * liveliest_, 1e3 * mass, left, s.strand.holeCount, s.metrics.tears,
               s.knot.breaks, broken_, deepest_.nodes, 1e3 * kDeep, deepest_.inTissue, 1e3 * deepest_.tissue, deepest_.inTool, 1e3 * deepest_.tool, deepest_.through);
   EXPECT_EQ(broken_, 0);
-  EXPECT_LT(most_, kMostForce);
+  EXPECT_LT(most_, 60.0);
   EXPECT_LE(left, 1e-4);                       // [J] a second after the hands have come to rest
-  EXPECT_LE(deepest_.inTissue, deepest_.nodes / 20);   // thread does sink in over an edge, and through (README)
+  EXPECT_LE(deepest_.inTissue, deepest_.nodes / 50);
   EXPECT_LE(deepest_.inTool, deepest_.nodes / 1000);
   EXPECT_LE(liveliest_, 0.5 * mass * 1.6 * 1.6);   // all of it at 1.6 m/s, ten times as fast as the hands: the law of RandomHands
 }

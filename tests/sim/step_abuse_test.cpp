@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "tests/sim/hand_noise.h"
+#include "tests/sim/kinetic_energy.h"
 #include "tests/support/realtime_guard.h"
 
 namespace halsted {
@@ -69,14 +70,6 @@ int abuseSteps() {
   return asked ? std::max(1, std::atoi(asked)) : 20000;
 }
 
-double kineticEnergy(const StepRig& rig) {       // [J] of tissue and thread
-  double sum = 0.0;                              // [J]
-  const State& s = rig.state;
-  for (std::size_t i = 0; i < s.tissue.velocity.size(); ++i) sum += 0.5 * rig.model.tissue.mass[i] * s.tissue.velocity[i].squaredNorm();
-  for (std::size_t i = 0; i < s.strand.velocity.size(); ++i) sum += 0.5 * rig.model.strand.mass[i] * s.strand.velocity[i].squaredNorm();
-  return sum;
-}
-
 class RandomHands : public testing::TestWithParam<std::uint64_t> {};
 INSTANTIATE_TEST_SUITE_P(Seed, RandomHands, testing::Values(1, 3, 7));
 
@@ -92,7 +85,7 @@ TEST_P(RandomHands, StayFiniteWithBoundedForces) {
     rig.step();
     broken += rig.finite() ? 0 : 1;
     for (const ToolState& t : rig.state.tools) most = std::max(most, t.force.norm());
-    liveliest = std::max(liveliest, kineticEnergy(rig));
+    liveliest = std::max(liveliest, kineticEnergy(rig.model, rig.state));
   }
   RecordProperty("most_force_n", std::to_string(most));
   RecordProperty("kinetic_mj", std::to_string(1e3 * liveliest));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tests/sim/kinetic_energy.h"
 #include "tests/sim/step_rig.h"
 
 namespace halsted {
@@ -32,14 +33,6 @@ struct Steady {
   bool finite = true;
 };
 
-double kineticEnergy(const StepRig& rig) {     // [J]
-  double sum = 0.0;                            // [J]
-  const State& s = rig.state;
-  for (std::size_t i = 0; i < s.tissue.velocity.size(); ++i) sum += 0.5 * rig.model.tissue.mass[i] * s.tissue.velocity[i].squaredNorm();
-  for (std::size_t i = 0; i < s.strand.velocity.size(); ++i) sum += 0.5 * rig.model.strand.mass[i] * s.strand.velocity[i].squaredNorm();
-  return sum;
-}
-
 /// Comes from 12 mm, presses `depth` [m] deep into where the wall was, holds for two seconds.
 Steady pressAndHold(SimParams p, Way way, double depth, bool thread) {
   StepRig rig(p, thread ? needleForThread(p) : kNeedleAway, atWall(way, 12e-3));
@@ -62,7 +55,7 @@ Steady pressAndHold(SimParams p, Way way, double depth, bool thread) {
     sum += f;
     squares += f.squaredNorm();
     r.most = std::max(r.most, f.norm());
-    (2 * k < kHold ? r.early : r.late) += 2.0 * kineticEnergy(rig) / kHold;
+    (2 * k < kHold ? r.early : r.late) += 2.0 * kineticEnergy(rig.model, rig.state) / kHold;
   }
   r.finite = rig.finite();
   r.mean = (sum / kHold).norm();
