@@ -93,6 +93,7 @@ void addTool(const std::string& table, ToolParams& tool, Fields& fields) {
       {table + ".grip_force", &tool.gripForce, 0, 200, "N"},
       {table + ".cutter", &tool.cutter, 0, 1, ""},
       {table + ".coupling_stiffness", &tool.couplingStiffness, 1, 1e5, "N/m"},
+      {table + ".hand_force", &tool.handForce, 1, 1e4, "N"},
   });
 }
 

@@ -16,6 +16,7 @@ void checkTool(const ToolParams& t) {
   positive(t.shaftRadius, "shaft_radius");
   positive(t.shaftLength, "shaft_length");
   positive(t.couplingStiffness, "coupling_stiffness");
+  positive(t.handForce, "hand_force");
 }
 
 void checkCautery(const CauteryParams& c) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/cutting/edge.h"
 #include "sim/step.h"
 #include "sim/whole_seam.h"
 
@@ -19,16 +20,30 @@ StepInput stillHands(const State& s) {
   return input;
 }
 
+/// The mucosa at the edge of a bowel, round its opening.
+std::vector<int> mucosaAtEdge(const Model& m, const State& s, int bowel) {
+  std::vector<int> lumen;
+  const std::span<const int> edge = edgeOf(m, s, bowel);
+  for (std::size_t column = 0; column < edge.size(); ++column) {
+    lumen.push_back(m.join.columns[bowel][column].lumen);
+    if (!s.cut) continue;
+    for (const EdgeRow& row : m.cut.edge[bowel][column])         // the rim's own may be burnt
+      if (row.vertex == edge[column]) lumen.back() = row.mucosa;
+  }
+  return lumen;
+}
+
 /// Smallest share of a lumen's cross-section at the edge that is left.  [1]
-double openShare(const Model& m, std::span<const Vec3> x) {
+double openShare(const Model& m, const State& s) {
   double least = 1.0;                          // [1]
-  for (const auto& columns : m.join.columns) {
-    std::vector<int> lumen;
-    for (const EdgeColumn& c : columns) lumen.push_back(c.lumen);
-    least = std::min(least, enclosedArea(lumen, x) / enclosedArea(lumen, m.mesh.vertices));
+  for (int bowel = 0; bowel < 2; ++bowel) {
+    const std::vector<int> lumen = mucosaAtEdge(m, s, bowel);
+    least = std::min(least, enclosedArea(lumen, s.tissue.position) / enclosedArea(lumen, m.mesh.vertices));
   }
   return least;
 }
+
+bool onFreePiece(const Model& m, const State& s, int triangle) { return s.cut && s.cut->piece[m.surface.triangleTet[triangle]] != 0; }
 
 /// Raises the pressure until something gives.
 void raisePressure(const Model& m, const LeakTest& test, State& s, Outcome& out) {
@@ -54,14 +69,14 @@ void raisePressure(const Model& m, const LeakTest& test, State& s, Outcome& out)
 
 Outcome testOutcome(const Model& m, State s, const LeakTest& test) {
   Outcome out;
-  if (!s.metrics.seam || s.cut) return out;    // of a prolapse the mucosa still lies outside: no pressure stands on it as it would in a lumen
+  if (!s.metrics.seam) return out;
   const JoinMetrics join = measureWholeSeam(m, s);
   if (join.crossings == 0) return out;
   out.tested = true;
   out.rimGap = join.rimGap;
   out.wallGap = join.wallGap;
   out.sewnShare = join.sewnShare;
-  out.narrowing = 1.0 - openShare(m, s.tissue.position);
+  out.narrowing = 1.0 - openShare(m, s);
   raisePressure(m, test, s, out);
   return out;
 }
@@ -69,7 +84,8 @@ Outcome testOutcome(const Model& m, State s, const LeakTest& test) {
 void gatherPressure(const Model& m, const State& s, double pressure, std::vector<Vec3>& nodal) {
   if (!(pressure > 0.0)) return;
   for (std::size_t f = 0; f < m.surface.triangles.size(); ++f) {
-    if (m.mesh.triangleLayer[f] != 1 || !exposed(m.surface, s.tissue.gone, static_cast<int>(f))) continue;
+    const int triangle = static_cast<int>(f);
+    if (m.mesh.triangleLayer[f] != 1 || !exposed(m.surface, s.tissue.gone, triangle) || onFreePiece(m, s, triangle)) continue;
     const auto& v = m.surface.triangles[f];
     const auto& x = s.tissue.position;
     const Vec3 push = -pressure / 6.0 * (x[v[1]] - x[v[0]]).cross(x[v[2]] - x[v[0]]);   // [N] on each corner, away from the lumen

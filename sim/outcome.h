@@ -32,7 +32,8 @@ struct Outcome {
 };
 
 /// The hands stay where they are, holding what they hold. The pressure acts on the lumen's wall; only the sewn stretch is judged, the rest
-/// of the circumference counts as closed.
+/// of the circumference counts as closed. A prolapse that is cut off is tested as it stands, turned out: its outer wall's mucosa lines the
+/// lumen, too, once it is back in place, so the pressure acts on both mucosae and leaks between the two serosae.
 Outcome testOutcome(const Model&, State, const LeakTest& = {});
 
 /// Adds the load of a pressure on the lumen's wall to the tissue's nodal forces.  [N]

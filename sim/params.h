@@ -83,6 +83,7 @@ struct ToolParams {                            // [tool.left], [tool.right]; [to
   double gripForce = 4.0;                      // grip_force [N] above it the grasped tissue slips out
   bool cutter = false;                         // cutter: blades behind the jaws cut thread (Olsen-Hegar); only with thread.knots
   double couplingStiffness = 1000.0;           // coupling_stiffness [N/m] of the hand, whatever it holds; from the device's nominal 1.02 N/mm (devices.md)
+  double handForce = 20.0;                     // hand_force [N] a hand that is held back gives way: it pushes and pulls no harder (design; scripts need up to 15)
 };
 
 inline ToolParams withoutTool() {

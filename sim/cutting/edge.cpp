@@ -16,8 +16,11 @@ std::vector<EdgeRow> columnBehind(const TetMesh& mesh, const Bowels& b, int rim)
   std::vector<EdgeRow> rows;
   for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) {
     const bool column = b.of[v] == b.of[rim] && b.wallDepth[v] == 0.0 && std::fabs(mesh.uv[v].x() - mesh.uv[rim].x()) < kSame;
-    if (column && mesh.uv[v].y() > mesh.uv[rim].y() - kSame) rows.push_back({v, {}});
+    if (column && mesh.uv[v].y() > mesh.uv[rim].y() - kSame) rows.push_back({v, v, {}});
   }
+  for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v)
+    for (EdgeRow& row : rows)
+      if (b.of[v] == b.of[rim] && b.wallDepth[v] == 1.0 && (mesh.uv[v] - mesh.uv[row.vertex]).norm() < kSame) row.mucosa = v;
   std::sort(rows.begin(), rows.end(), [&](const EdgeRow& one, const EdgeRow& other) { return mesh.uv[one.vertex].y() < mesh.uv[other.vertex].y(); });
   return rows;
 }

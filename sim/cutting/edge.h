@@ -16,7 +16,7 @@ struct State;
 
 /// One row behind a rim, and the tets toward the next.
 struct EdgeRow {
-  int vertex = 0;                              // on the serosa
+  int vertex = 0, mucosa = 0;                  // on the serosa; opposite to it
   std::vector<int> behind;                     // tets beside the column, between this row and the next one toward the base
 };
 

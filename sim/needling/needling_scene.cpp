@@ -8,6 +8,16 @@
 namespace halsted {
 namespace {
 
+/// A hand that is pushed harder than it can push gives way, and feels no more than that.
+void giveWay(double strength, LocalContact& contact) {           // [N]
+  const double pushed = contact.force.norm();  // [N]
+  if (pushed <= strength) return;
+  const Vec3 way = contact.force / pushed;     // [1]
+  const Mat3 across = Mat3::Identity() - way * way.transpose();
+  contact.force = strength * way;
+  contact.stiffness = across * contact.stiffness * across;
+}
+
 void takeTool(const ToolSample& sample, const LocalContact& contact, ToolState& t) {
   t.device = t.proxy = sample.pose;            // the tissue moves the hand, not the needle in it
   t.jaw = sample.jaw;
@@ -43,6 +53,7 @@ void stepNeedling(const Model& m, const StepInput& input, State& s, StepOutput& 
   stepNeedling(body.needling, {input.tools[body.needleHand], input.tools[body.fingerHand]}, *s.needling, result);
   out.contact[body.needleHand] = result.needle;
   out.contact[body.fingerHand] = result.finger;
+  for (int hand = 0; hand < kHands; ++hand) giveWay(m.params.tools[hand].handForce, out.contact[hand]);
   for (int hand = 0; hand < kHands; ++hand) takeTool(input.tools[hand], out.contact[hand], s.tools[hand]);
   pushEvents(s, body.needleHand, result, out);
   NeedlingMetrics& metrics = *s.metrics.needling;

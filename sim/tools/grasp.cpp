@@ -135,9 +135,23 @@ void dropGraspPoint(ToolState& t, int g) {
   t.graspLocal[last] = t.graspForce[last] = Vec3::Zero();
 }
 
+namespace {
+
+/// Where the hand is that would like to be at `wanted`: one that is held back gives way, so that it gets no farther from its tool than its force
+/// holds the coupling out.  [m]
+Vec3 givingWay(const ToolParams& tool, const ToolState& t, const Vec3& wanted) {
+  constexpr double kHeldBack = 0.9;            // [1] of that force; a hand that nothing holds goes anywhere
+  const Vec3 lead = wanted - t.proxy.position;
+  const double reach = tool.handForce / tool.couplingStiffness, far = lead.norm();   // [m]
+  if (far <= reach || t.force.norm() < kHeldBack * tool.handForce) return wanted;
+  return t.proxy.position + reach / far * lead;
+}
+
+}  // namespace
+
 void moveTool(const Model& m, int hand, const ToolSample& sample, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];
-  t.device = sample.pose;
+  t.device = {givingWay(m.params.tools[hand], t, sample.pose.position), sample.pose.orientation};
   if (t.ratchet && sample.jaw < kCloseBelow) t.ratchet = false;
   if (!t.ratchet) t.jaw = restingJaw(m, hand, s, std::fmin(1.0, std::fmax(0.0, sample.jaw)));
   updateProxy(m, hand, s);

@@ -9,7 +9,7 @@ namespace halsted {
 /// What one hand's jaws hold and feel. Written by sim/tools.
 struct ToolState {
   static constexpr int kMaxGrasp = 6, kMaxContacts = 24, kMaxNear = 512;
-  Pose device;                                 // last sample consumed
+  Pose device;                                 // last sample consumed; nearer to the tool where the hand has given way (ToolParams::handForce)
   Pose proxy;                                  // where the simulated tool is
   double jaw = 1.0;                            // [1]
   bool closed = false;                         // jaws shut enough to hold

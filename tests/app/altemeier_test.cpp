@@ -75,7 +75,12 @@ TEST(SlowAltemeier, TheSpecimenIsCutOffAndBothEdgesAreSewnToEachOtherByTheScript
   EXPECT_GT(m["seam_sewn_share_1"], 0.7) << "all round but from the last stitch to the first";
   EXPECT_LT(widestStitch(scenario.model, s), 3e-3) << "wider is an air knot";
   EXPECT_LT(seen.loop, scenario.model.params.needle.tearForce);
-  EXPECT_FALSE(testOutcome(scenario.model, s).tested) << "no pressure stands on a mucosa that lies outside";
+  const Outcome outcome = testOutcome(scenario.model, s);
+  EXPECT_TRUE(outcome.tested);
+  EXPECT_NEAR(outcome.wallGap, m["seam_wall_gap_m"], 1e-12);
+  EXPECT_EQ(outcome.end, LeakEnd::kOpen) << "between two of four stitches the walls stand apart";
+  EXPECT_GT(outcome.narrowing, -0.5);
+  EXPECT_LT(outcome.narrowing, 0.5);
   for (const Vec3& p : s.tissue.position) EXPECT_TRUE(p.allFinite());
   for (int v : scenario.model.mesh.fixed) EXPECT_EQ(s.tissue.position[v], scenario.model.mesh.vertices[v]);
   const Scenario again = scenarioFromFile(session, {});

@@ -93,5 +93,40 @@ TEST(ToolPinch, AToolPushedDeepIntoTheWallComesToRest) {
   }
 }
 
+/// Sent 12 mm into a wall, and back again.
+TEST(HandForce, IsAllThatAHandPushesWith) {
+  SimParams p = wallParams();
+  p.tools[kLeft].handForce = 1.0;
+  StepRig rig(p, kNeedleAway, atWall(Way::kAcrossThread, 1e-3));
+  rig.input.tools[kLeft].jaw = 0.0;
+  double most = 0.0, least = 1e9;              // [N] ever; while it gives way
+  const auto move = [&](double from, double to) {                // [m]
+    for (int k = 0; k <= 260; ++k) {
+      rig.input.tools[kLeft].pose = atWall(Way::kAcrossThread, from + (to - from) * k / 260);
+      rig.step();
+      most = std::max(most, rig.state.tools[kLeft].force.norm());
+    }
+  };
+  move(1e-3, -12e-3);
+  for (int k = 0; k < 500; ++k) {
+    rig.step();
+    least = std::min(least, rig.state.tools[kLeft].force.norm());
+  }
+  EXPECT_LT(most, 1.05);                       // [N] 12 of a hand that does not give way
+  EXPECT_GT(least, 0.95);                      // [N] it goes on pushing
+  move(-12e-3, 1e-3);
+  EXPECT_EQ(rig.state.tools[kLeft].proxy.position, rig.input.tools[kLeft].pose.position) << "and is where the hand is once nothing holds it back";
+}
+
+TEST(HandForce, ChangesNoBitOfAHandThatPushesWithLess) {
+  SimParams p = bowel();
+  p.tools[kLeft].handForce = 20.0;
+  const Steady some = pressAndHold(p, Way::kAcrossThread, 5e-3, true);
+  p.tools[kLeft].handForce = 1e4;
+  const Steady any = pressAndHold(p, Way::kAcrossThread, 5e-3, true);
+  EXPECT_EQ(some.mean, any.mean);
+  EXPECT_EQ(some.most, any.most);
+}
+
 }  // namespace
 }  // namespace halsted

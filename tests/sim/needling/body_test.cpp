@@ -36,6 +36,19 @@ TEST(NeedledBody, GivesTheHandTheForceOfTheTissue) {
   EXPECT_NEAR(rig.state.tools[kLeft].force.norm(), 400 * 1.75e-3, 0.05);
 }
 
+/// 60 mm into soft tissue a finger would feel 24 N.
+TEST(NeedledBody, PushesAHandNoHarderThanThatCanPush) {
+  BodyRig rig;
+  rig.to(kLeft, Vec3(0, -60e-3, 0));
+  const LocalContact& c = rig.out.contact[kLeft];
+  const double strength = rig.model.params.tools[kLeft].handForce;   // [N]
+  EXPECT_NEAR(c.force.norm(), strength, 1e-9);
+  EXPECT_LT((c.stiffness * c.force).norm(), 1e-6 * strength) << "it gives way";
+  rig.to(kLeft, Vec3(0, -20e-3, 0));
+  EXPECT_LT(rig.out.contact[kLeft].force.norm(), strength);
+  EXPECT_GT(rig.out.contact[kLeft].stiffness.norm(), 1.0);
+}
+
 TEST(NeedledBody, ReportsEachLayerOnceAndTheWayOut) {
   BodyRig rig;
   needleOnce(rig);
