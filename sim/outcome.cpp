@@ -51,16 +51,17 @@ void raisePressure(const Model& m, const LeakTest& test, State& s, Outcome& out)
   StepOutput seen;
   const std::int32_t tears = s.metrics.tears;
   const double dt = m.params.dt;               // [s]
+  const int settling = static_cast<int>(test.settle / dt + 0.5);   // steps
   double gap = 0.0;                            // [m]
-  for (double time = 0.0; out.leakPressure < test.most; time += dt) {
-    out.leakPressure = std::clamp((time - test.settle) * test.rate, 0.0, test.most);
+  for (int k = 0; out.leakPressure < test.most; ++k) {
+    out.leakPressure = std::min(test.most, std::max(0, k - settling) * dt * test.rate);
     input.lumenPressure = out.leakPressure * kPascalPerMmhg;
     step(m, input, s, seen);
     if (s.metrics.tears > tears) { out.end = LeakEnd::kTear; return; }
-    if (s.step % kLook == 0 || time == 0.0) gap = measureWholeSeam(m, s).wallGap;
+    if (s.step % kLook == 0 || k == 0) gap = measureWholeSeam(m, s).wallGap;
     if (gap <= test.gap) continue;
     out.end = out.leakPressure > 0.0 ? LeakEnd::kGap : LeakEnd::kOpen;
-    if (time > test.settle) return;            // what is open while the tissue settles may still close
+    if (k >= settling) return;            // what is open while the tissue settles may still close
   }
   out.end = LeakEnd::kHeld;
 }

@@ -22,6 +22,15 @@ TEST(BurstPressure, FallsWithTheSpacingOfStitches) {
   EXPECT_GT(middle, wide);
 }
 
+/// Stitches that nobody has drawn: the walls stand apart, and no pressure at all is held.
+TEST(BurstPressure, IsNoneWhereTheWallsStandApart) {
+  SewnEnds ends({.stitches = 3, .spacing = 6e-3});
+  const Outcome o = testOutcome(ends.model, ends.state);
+  EXPECT_TRUE(o.tested);
+  EXPECT_EQ(o.end, LeakEnd::kOpen);
+  EXPECT_EQ(o.leakPressure, 0.0);
+}
+
 /// At equal spacing. Past 5 mm it does not rise further here: the lip beyond the stitch opens.
 TEST(BurstPressure, RisesWithTheDepthOfBites) {
   EXPECT_GT(burstPressure({.stitches = 4, .spacing = 6e-3, .depth = 5e-3}), burstPressure({.stitches = 4, .spacing = 6e-3, .depth = 3e-3}));
