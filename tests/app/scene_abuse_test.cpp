@@ -115,7 +115,7 @@ class WildHands : public ::testing::TestWithParam<Case> {
 INSTANTIATE_TEST_SUITE_P(Scene, WildHands, ::testing::ValuesIn(cases()),
                          [](const auto& c) { return std::string(c.param.scene) + (c.param.script > 1.0 ? "_at_work_" : "_at_start_") + std::to_string(c.param.seed); });
 
-/// The hands move at 0.15 m/s in a box of 43 mm: its diagonal and the coupling allow 43 N.
+/// The hands move at 0.15 m/s in a box of 43 mm and give way at 20 N (`hand_force`), a step after they feel it.
 TEST_P(WildHands, StayFiniteAndNothingIsFlung) {
   while (run_.time() < GetParam().script && run_.advance()) {}
   input_ = handsAsTheyAre(run_.state());

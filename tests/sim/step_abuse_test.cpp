@@ -73,7 +73,7 @@ int abuseSteps() {
 class RandomHands : public testing::TestWithParam<std::uint64_t> {};
 INSTANTIATE_TEST_SUITE_P(Seed, RandomHands, testing::Values(1, 3, 7));
 
-/// The hands move at 0.15 m/s in a box of 43 mm: its diagonal and the coupling allow 43 N. The wall weighs 1.6 g.
+/// The hands move at 0.15 m/s in a box of 43 mm and give way at 20 N, a step after they feel it. The wall weighs 1.6 g.
 TEST_P(RandomHands, StayFiniteWithBoundedForces) {
   StepRig rig(weighted(), kNeedleBeside);
   HandNoise noise(GetParam());
