@@ -61,7 +61,7 @@ void raisePressure(const Model& m, const LeakTest& test, State& s, Outcome& out)
     if (s.step % kLook == 0 || k == 0) gap = measureWholeSeam(m, s).wallGap;
     if (gap <= test.gap) continue;
     out.end = out.leakPressure > 0.0 ? LeakEnd::kGap : LeakEnd::kOpen;
-    if (k >= settling) return;            // what is open while the tissue settles may still close
+    if (k >= settling) return;                 // what is open while the tissue settles may still close
   }
   out.end = LeakEnd::kHeld;
 }
