@@ -38,7 +38,7 @@ void resizeBorder(int unknowns, ToolBorder& b) {
 }
 
 void beginBorder(ToolBorder& b) {
-  for (GivingTool& t : b.tool) t.shift.setZero();
+  for (GivingTool& t : b.tool) t.shift = t.correction = Vec3::Zero();
 }
 
 void clearBorder(ToolBorder& b) {
@@ -73,12 +73,16 @@ void detail::moveHands(ToolBorder& b, std::vector<double>& x) {
   const Border moved = matrix.ldlt().solve(rhs);   // [m]
   b.moved = 0.0;
   for (int h = 0; h < kHands; ++h) {
-    b.tool[h].shift += moved.segment<3>(3 * h);
+    b.tool[h].correction = moved.segment<3>(3 * h);
     if (!b.touched[h]) continue;
     b.moved = std::max(b.moved, moved.segment<3>(3 * h).norm());
     for (std::size_t i = 0; i < x.size(); ++i)
       for (int k = 0; k < 3; ++k) x[i] -= b.solved[h][i][k] * moved[3 * h + k];
   }
+}
+
+void shiftHands(double share, ToolBorder& b) {   // [1]
+  for (GivingTool& t : b.tool) t.shift += share * t.correction;
 }
 
 void settleBorder(ToolBorder& b) {

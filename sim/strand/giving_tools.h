@@ -15,6 +15,7 @@ struct GivingTool {
   double spring = 0.0;                         // [N/m] of the hand; 0: it stands. Set by the caller
   Vec3 offset = Vec3::Zero();                  // [m] that thread has pushed it, where the solids of this step are
   Vec3 shift = Vec3::Zero();                   // [m] farther in this step, at the iterate
+  Vec3 correction = Vec3::Zero();              // [m] by which the last solve would move it on
 };
 
 struct ToolBorder {
@@ -35,9 +36,12 @@ void clearBorder(ToolBorder&);
 /// Thread at `sample` is pushed by a hand's solid with `force` and `stiffness`.
 void addToBorder(int hand, const CurveWeights& sample, const Vec3& force, const Mat3& stiffness, ToolBorder&);   // [N], [N/m]
 
-/// After the strand's own matrix has been solved: corrects x for the hands' motion, and moves them. `again` applies the inverse of the
+/// After the strand's own matrix has been solved: corrects x for the hands' motion, and writes that. `again` applies the inverse of the
 /// strand's matrix to four right-hand sides at a time, in place.
 template <typename Again> void solveBorder(ToolBorder&, std::vector<double>& x, Again again);
+
+/// The hands take a share of their last correction.
+void shiftHands(double share, ToolBorder&);    // [1]
 
 /// The step is over: where the hands now are is where the next begins.
 void settleBorder(ToolBorder&);

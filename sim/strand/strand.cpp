@@ -7,6 +7,7 @@ StrandWork prepareWork(const StrandModel& m) {
   StrandWork w;
   w.matrix.resize(3 * m.nodes + 6);
   w.rhs.resize(3 * m.nodes + 6);
+  w.load.resize(3 * m.nodes + 6);
   w.iterate.resize(m.nodes);
   w.inertial.resize(m.nodes);
   return w;

@@ -32,7 +32,7 @@ struct ThreadTouch;                            // sim/strand/thread_contacts.h
 struct StrandWork {
   static constexpr int kMaxLinks = 384;
   BandedMatrix matrix;
-  std::vector<double> rhs;                     // [N], then the solution [m]
+  std::vector<double> rhs, load;               // [N], then the solution [m]; [N] that it answers
   std::vector<Vec3> iterate, inertial;         // [m] Newton iterate; where inertia alone would go
   std::array<StrandLink, kMaxLinks> links;
   int linkCount = 0;

@@ -1,4 +1,5 @@
 #include "sim/strand/strand.h"
+#include "sim/strand/step_share.h"
 #include "sim/strand/strand_trust.h"
 #include "sim/strand/thread_bending.h"
 
@@ -263,11 +264,14 @@ Outcome iterate(Assembly& assembly, const Vec3& gravity, StrandState& s, NeedleI
       assembleSnapDrag(m, s, assembly.dt(), *touch, w);
       assembleThreadContacts(w.iterate, w.matrix, w.rhs, touch->work);
     }
+    w.load = w.rhs;
     if (!solveSystem(w, touch)) return Outcome::kSingular;
+    const bool moving = touch && stillMoving(m, w.rhs, touch->work);
+    if (touch) takeCorrection(w, touch->work);
     writeTensions(m, w, touch, s);
     for (int i = 0; i < m.nodes; ++i) w.iterate[i] += Vec3(w.rhs[3 * i], w.rhs[3 * i + 1], w.rhs[3 * i + 2]);
     moveNeedle(m, &w.rhs[3 * m.nodes], needle);
-    if (lengthError(m, w, touch, s) < tolerance && !(touch && stillMoving(m, w.rhs, touch->work))) return Outcome::kSettled;
+    if (lengthError(m, w, touch, s) < tolerance && !moving) return Outcome::kSettled;
   }
   return Outcome::kUnsettled;
 }

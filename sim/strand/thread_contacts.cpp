@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "sim/contact/geometry.h"
+#include "sim/strand/contact_answer.h"
+#include "sim/strand/step_share.h"
 #include "sim/strand/thread_contact_search.h"
 
 namespace halsted {
@@ -11,14 +13,6 @@ namespace {
 constexpr std::size_t kMostPoints = 4 * ThreadContactState::kMaxContacts;   // in a step
 constexpr double kLeave = 0.05;                // [m/s] at which what lies deeper in a tool than its force explains comes out of it,
 constexpr double kPushOut = 0.3;               // [N] pushed no harder than this on a sample: what holds it there may not give way (design)
-constexpr double kBond = 0.7;                  // [1] stiffness of the friction bond over that of the squeeze (Mindlin, nu = 0.4)
-
-/// Sample minus partner. A solid has gone where it is sent, and on with the hand that gives way.
-Vec3 relativePoint(const std::vector<Vec3>& x, const TouchingPoint& c, const ToolBorder& border) {
-  const Vec3 own = curvePoint(x, c.sample);
-  if (!c.solid) return own - curvePoint(x, c.partner);
-  return c.owner < 0 ? Vec3(own - c.anchor) : Vec3(own - c.anchor - border.tool[c.owner].shift);
-}
 
 const ThreadContact* recordFor(const ThreadContactState& state, const ThreadContactWork& w, const ThreadContact& fresh) {
   for (int r = w.recordOfSample[fresh.sample]; r >= 0; r = w.nextRecord[r]) {
@@ -125,32 +119,11 @@ void findSolids(const StrandModel& m, const StrandState& s, double dt, ThreadTou
   }
 }
 
-/// Force and stiffness of one contact at an iterate.
-struct Answer { Vec3 force; Mat3 stiffness; };   // [N], [N/m]
-
-bool answerOf(const std::vector<Vec3>& x, const ToolBorder& border, TouchingPoint& c, Answer& out) {
-  const Vec3 relative = relativePoint(x, c, border);
-  const double squeeze = c.reach - c.normal.dot(relative);   // [m]
-  c.normalForce = 0.0;
-  c.friction.setZero();
-  if (squeeze <= 0.0) return false;
-  // A squeezed braid stiffens; this keeps the centre lines apart up to the load at which thread breaks.
-  const double soft = c.reach < 1e-3 ? 2.0 * squeeze / c.reach : 0.0;   // [1]
-  c.normalForce = c.stiffness * squeeze * (1.0 + soft * soft);
-  const double bond = kBond * c.stiffness;                   // [N/m]
-  Vec3 slide = relative - c.start;
-  slide -= slide.dot(c.normal) * c.normal;
-  c.friction = c.carried - bond * slide;
-  const double size = c.friction.norm(), limit = c.coefficient * c.normalForce;   // [N]
-  const double share = size > limit ? limit / size : 1.0;    // [1]
-  c.friction *= share;
-  const Mat3 nn = c.normal * c.normal.transpose();
-  out.force = c.normalForce * c.normal + c.friction;
-  out.stiffness = c.stiffness * (1.0 + 3.0 * soft * soft) * nn + share * bond * (Mat3::Identity() - nn);
-  return true;
+bool answerOf(const std::vector<Vec3>& x, const ToolBorder& border, TouchingPoint& c, ContactAnswer& out) {
+  return answerAt(relativePoint(x, c, border), c, out);
 }
 
-void addOwn(const CurveWeights& w, const Answer& answer, double sign, BandedMatrix& matrix, std::vector<double>& rhs) {
+void addOwn(const CurveWeights& w, const ContactAnswer& answer, double sign, BandedMatrix& matrix, std::vector<double>& rhs) {
   for (int a = 0; a < 3; ++a) {
     for (int r = 0; r < 3; ++r) rhs[3 * (w.node + a) + r] += sign * w.weight[a] * answer.force[r];
     for (int b = a; b < 3; ++b)
@@ -193,6 +166,7 @@ ThreadContactWork prepareContactWork(const StrandModel& m, const ThreadContactPa
   const int pieces = m.nodes - 2, chunks = (pieces + kPiecesPerChunk - 1) / kPiecesPerChunk;
   w.coupled.resize(m.nodes);
   w.points.reserve(kMostPoints);
+  w.moved.reserve(kMostPoints);
   w.pieceCentre.assign(pieces, Vec3::Zero());
   w.pieceRadius.assign(pieces, 0.0);
   w.chunkCentre.assign(chunks, Vec3::Zero());
@@ -233,7 +207,7 @@ void assembleThreadContacts(const std::vector<Vec3>& iterate, BandedMatrix& matr
   clearBorder(w.border);
   if (w.coupledStep) w.coupled.clearValues();
   if (w.coupledStep && w.tie.stiffness > 0.0) assembleTie(w.tie, iterate, matrix, rhs, w.coupled);
-  Answer answer;
+  ContactAnswer answer;
   for (TouchingPoint& c : w.points) {
     if (!answerOf(iterate, w.border, c, answer)) continue;
     addOwn(c.sample, answer, 1.0, matrix, rhs);
@@ -247,7 +221,7 @@ void assembleThreadContacts(const std::vector<Vec3>& iterate, BandedMatrix& matr
 void settleThreadContacts(const StrandState& s, ThreadTouch& touch) {
   ThreadContactState& state = touch.state;
   int kept = 0;
-  Answer answer;
+  ContactAnswer answer;
   for (TouchingPoint& c : touch.work.points) {
     if (!answerOf(s.position, touch.work.border, c, answer)) continue;
     if (kept == ThreadContactState::kMaxContacts) { ++state.dropped; continue; }

@@ -23,6 +23,7 @@ struct ThreadContactParams {
   double friction = 0.30;                      // [1] thread on thread, braided; 0.20 monofilament (physics.md D, design)
   double stiffness = 5e8;                      // [N/m^2] lateral modulus of a braid, about 0.5 GPa over the width (design)
   double breakingTension = 17.4;               // [N] USP knot-pull minimum, 3-0 absorbable synthetic (physics.md D)
+  bool lineSearch = false;                     // Newton's corrections are shortened where contacts ask for it (step_share.h)
 };
 
 /// A solid that the thread lies against: a capsule, with its ends at the start of the step.
@@ -67,6 +68,13 @@ struct TouchingPoint {
   ThreadContact record;
 };
 
+/// A contact that a Newton correction moves (step_share.h): it touches when that begins, or would at its end.
+struct MovedContact {
+  Vec3 relative = Vec3::Zero(), way = Vec3::Zero();   // [m] sample minus partner before; by which the whole correction changes that
+  Vec3 force = Vec3::Zero(), answer = Vec3::Zero();   // [N] before; what the linear model takes off it
+  int point = -1;
+};
+
 /// A sample and the place on another piece that is nearest to it.
 struct NearPair { int piece, sample, partner; double place, gap; };   // [1], [m] between the surfaces
 
@@ -77,6 +85,7 @@ struct ThreadContactWork {
   CoupledSolve coupled;
   ToolBorder border;                           // its tools are set by the caller before each step
   std::vector<TouchingPoint> points;
+  std::vector<MovedContact> moved;             // by the correction under way
   std::vector<Vec3> chunkCentre, pieceCentre;  // [m]
   std::vector<double> chunkRadius, pieceRadius, pieceLength;   // [m]; at rest
   std::vector<std::int32_t> samples;           // of each piece: no farther apart than the thread is thick
