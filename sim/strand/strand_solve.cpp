@@ -264,7 +264,7 @@ Outcome iterate(Assembly& assembly, const Vec3& gravity, StrandState& s, NeedleI
       assembleSnapDrag(m, s, assembly.dt(), *touch, w);
       assembleThreadContacts(w.iterate, w.matrix, w.rhs, touch->work);
     }
-    w.load = w.rhs;
+    if (touch) w.load = w.rhs;
     if (!solveSystem(w, touch)) return Outcome::kSingular;
     const bool moving = touch && stillMoving(m, w.rhs, touch->work);
     if (touch) takeCorrection(w, touch->work);

@@ -13,7 +13,12 @@ constexpr double kStep = 1e-3;                 // [s]
 struct Abused : TiedWall {
   double mostForce = 0.0, mostTension = 0.0;   // [N] on a hand; in the thread
 
-  explicit Abused(const SimParams& p = tiedWallParams()) : TiedWall(p) {}
+  explicit Abused(bool lineSearch) : TiedWall(paramsWith(lineSearch)) {}
+  static SimParams paramsWith(bool lineSearch) {
+    SimParams p = tiedWallParams();
+    p.thread.lineSearch = lineSearch;
+    return p;
+  }
 
   /// Moves a hand straight to a place at a speed, jaws as told.
   void move(int hand, const Vec3& to, double speed) {   // [m], [m/s]
@@ -42,8 +47,11 @@ struct Abused : TiedWall {
   double holeAt(int h) const { return state.strand.holes[h].coordinate; }   // [m]
 };
 
-TEST(AbusedThread, WoundRoundBothToolsAndTornApartSlipsOrBreaks) {
-  Abused w;
+class AbusedThread : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(LineSearch, AbusedThread, testing::Bool());
+
+TEST_P(AbusedThread, WoundRoundBothToolsAndTornApartSlipsOrBreaks) {
+  Abused w(GetParam());
   w.take(kLeft, w.holeAt(1) + 50e-3);
   ASSERT_GT(w.state.tools[kLeft].threadCoordinate, 0.0);
   const Vec3 middle(2e-3, 12e-3, 34e-3);       // [m]
@@ -64,8 +72,8 @@ TEST(AbusedThread, WoundRoundBothToolsAndTornApartSlipsOrBreaks) {
   EXPECT_LT(w.mostForce, 2.0 * w.model.params.thread.breakingTension + 10.0);
 }
 
-TEST(AbusedThread, BothHandsOnOnePlacePullAgainstEachOtherUntilItSlips) {
-  Abused w;
+TEST_P(AbusedThread, BothHandsOnOnePlacePullAgainstEachOtherUntilItSlips) {
+  Abused w(GetParam());
   const double place = w.holeAt(1) + 40e-3;    // [m]
   w.take(kLeft, place);
   w.take(kRight, place + 3e-3);

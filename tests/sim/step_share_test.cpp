@@ -32,6 +32,7 @@ struct Falling {
     c.start = (c.reach + gap) * c.normal;
     c.stiffness = kStiffness;
     rig.contactWork.points.assign(1, c);
+    clearBorder(rig.contactWork.border);       // no force on a hand
   }
   double take() { return takeCorrection(rig.work, rig.contactWork); }
 };
