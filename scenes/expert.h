@@ -39,7 +39,7 @@ struct ExpertAction {
   double seconds = 60.0;                       // limit_s [s] of the action; of a hold, its length
   std::string tie;                             // tie: throws as surgeons write them, "1=1", "2=1=1", "1x1"
   double beyondHand = 0.012;                   // beyond_hand_mm [m] past the hand that holds the long end: where it is cut at the nearest
-  double longEnd = 0.055;                      // long_end_mm [m] of thread between the stitch and the hand that winds it, for single turns
+  double longEnd = 0.065;                      // long_end_mm [m] of thread between the stitch and the hand that winds it, for single turns
   std::optional<ThreadAssist> assist;          // assist = "none" or "knot": done at this level of assistance only; absent: at any
   std::string point;                           // point: an acupoint's id; empty: the one the scene is set for
   int cycles = 1;                              // cycles [1] twirls or lifts

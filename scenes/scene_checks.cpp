@@ -60,8 +60,6 @@ void checkSuture(const SimParams& params, const std::string& origin, const Setti
                      plainNumber(kLongestThread) + " m");
   if (params.thread.assist != ThreadAssist::kNone && !params.thread.knots)
     throw InputError(placeOf(origin, origins, {"thread.assist", "thread.knots"}) + ": needs thread.knots = true");
-  if (params.thread.lineSearch && !params.thread.knots)
-    throw InputError(placeOf(origin, origins, {"thread.line_search", "thread.knots"}) + ": needs thread.knots = true");
   if (params.thread.spare > 0 && !params.thread.knots)
     throw InputError(placeOf(origin, origins, {"thread.spare", "thread.knots"}) + ": needs thread.knots = true: only thread that meets itself is tied");
   for (int hand = 0; hand < kHands; ++hand)

@@ -58,7 +58,6 @@ void addStrand(SimParams& params, Fields& fields) {
       {"thread.damping", &thread.damping, 0, 1e4, "1/s"},
       {"thread.channel_drag", &thread.channelDrag, 0, 1e4, "N/m"},
       {"thread.knots", &thread.knots, 0, 1, ""},
-      {"thread.line_search", &thread.lineSearch, 0, 1, ""},
       {"thread.substeps", &thread.substeps, 1, 20, ""},
       {"thread.fine_from", &thread.fineFrom, 0, 2, "m"},
       {"thread.fine_to", &thread.fineTo, 0, 2, "m"},

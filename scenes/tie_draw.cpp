@@ -20,7 +20,9 @@ constexpr double kHoldTail = 0.15;             // [1] of that for the tail: it i
 constexpr double kReach = 0.09;                // [m] as far as an arm draws
 constexpr double kFeel = 0.5;                  // [N]
 constexpr double kLaySide = 0.5, kLayUp = 0.2; // [1] of the way toward the surgeon
+constexpr double kLaySlack = 0.8;              // [1] of the tail's straight length: as far from the stitch as it was drawn, it would still draw
 constexpr double kHoldTight = 0.3;             // [s]
+constexpr double kEased = 0.05, kEase = 0.1;   // [N] at the other hand as the tail is laid; [m/s]
 constexpr double kPatience = 12.0;             // [s] then it is as tight as it gets: over tissue that gives, two hands that feel each other see-saw
 
 /// The other hand draws the loop off the driver's tips, on to the tail: until it is off and there is nothing more to come.
@@ -88,13 +90,18 @@ bool drawTight(const Scene& s) {
   return k.settled > kHoldTight || s.inPhase > kPatience;
 }
 
-/// The tail is laid toward the surgeon, away from the thread between the knot and the holes, or the jaws would take that for it.
+/// The tail is laid toward the surgeon, away from the thread between the knot and the holes, or the jaws would take that for it. The other
+/// hand eases off with it: a pull that nothing answers any more would draw the throw along the tail, off the stitch.
 bool layTail(const Scene& s) {
   ExpertState& e = s.memory;
+  KnotPlan& k = e.knot;
   const Vec3 from = stitch(s);
+  feel(k.felt[kLeft], s.state.tools[kLeft].threadForce.norm(), s.dt, kFeelTime);
+  if (k.felt[kLeft] > kEased) k.drawn[kLeft] -= kEase * s.dt;
+  moveHand(s, kLeft, {e.goal[kLeft].position - k.drawn[kLeft] * k.side, e.goal[kLeft].orientation}, kEase);
   if (s.inPhase < 1.5 * s.dt) {
     const double far = (e.hand[kRight].command.position - from).norm();   // [m]
-    e.goal[kRight] = keepTurn(s, kRight, from + far * (kLaySide * e.knot.side + e.knot.handle + kLayUp * e.knot.up).normalized());
+    e.goal[kRight] = keepTurn(s, kRight, from + kLaySlack * far * (kLaySide * e.knot.side + e.knot.handle + kLayUp * e.knot.up).normalized());
   }
   return moveHand(s, kRight, e.goal[kRight], kCareful);
 }

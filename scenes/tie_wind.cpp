@@ -10,17 +10,17 @@ namespace {
 
 constexpr double kBack = 30e-3;                // [m] along its shaft: where the driver waits
 constexpr double kWindSpeed = 3.0;             // [rad/s]
-constexpr double kSnug = 0.03, kGive = 0.06;   // [N] more would draw the tail into the tissue: the winding hand gives way; [m/s]
+constexpr double kSnug = 0.03, kGive = 0.06, kMostGive = 0.3;   // [N] more would draw the tail into the tissue: the winding hand gives way; [m/s]
 constexpr double kWider = 6e-3, kOpening = 0.4;   // [m] of thread that the opening jaws take up in a turn; [s]
 constexpr double kTight = 0.15;                // [N] at the winding hand: a loop drawn tighter holds the jaws like a capstan
 constexpr double kArrived = 1e-3, kSettle = 0.6;   // [m] of the jaws from the tail: the device is behind its hand; [s] pressed on tissue, it comes no nearer
 constexpr double kLost = 0.6;                  // [1] of a turn less than planned: the loop has slid off
 
-/// A winding hand that feels its thread gives way.
+/// A winding hand that feels its thread gives way, the sooner the more it feels: a first throw bears less than a tenth of a newton.
 void giveWay(const Scene& s, double snug) {    // [N]
   KnotPlan& k = s.memory.knot;
   feel(k.felt[kLeft], s.state.tools[kLeft].threadForce.norm(), s.dt, kFeelTime);
-  if (k.felt[kLeft] > snug) k.given += kGive * s.dt;
+  if (k.felt[kLeft] > snug) k.given += std::fmin(kMostGive, kGive * k.felt[kLeft] / snug) * s.dt;
 }
 
 /// Has the winding hand given way as far as it has to?

@@ -45,7 +45,7 @@ void beginSuture(const Model& m, State& s) {
     }
     if (t.assist == ThreadAssist::kKnot) { s.assist.emplace(); s.metrics.assistedKnots = 0; }
     s.work.knotReader = KnotReader(m.strand.nodes);
-    s.work.threadContacts = prepareContactWork(m.strand, {t.friction, t.lateralModulus, t.breakingTension, t.lineSearch});
+    s.work.threadContacts = prepareContactWork(m.strand, {t.friction, t.lateralModulus, t.breakingTension});
   }
   if (std::any_of(m.params.second, m.params.second + kHands, [](const ToolParams& p) { return p.kind != ToolKind::kNone; })) s.instruments.emplace();
   s.work.tissue = prepareWork(m.tissue);

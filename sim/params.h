@@ -49,7 +49,6 @@ struct ThreadParams {                          // [thread]
   double fineFrom = 0.0, fineTo = 0.0;         // fine_from, fine_to [m] coordinates, 0 = free tail
   double fineSegment = 0.0;                    // fine_segment [m] 0.2 to 0.4 mm make a knot of its own size
   bool knots = false;                          // knots: thread meets itself, and tools within its own solve
-  bool lineSearch = false;                     // line_search, with `knots`: friction as in finer steps (sim/strand/step_share.h); scripts made without may not tie with it
   int substeps = 4;                            // substeps [1] of the strand in a step, with knots
   double friction = 0.30;                      // friction [1] thread on thread; see ThreadContactParams
   double lateralModulus = 5e8;                 // lateral_modulus [Pa] of a squeezed braid (design)

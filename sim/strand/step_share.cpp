@@ -75,7 +75,7 @@ double shareOfCorrection(const StrandWork& w, ThreadContactWork& t) {   // [1]
 }  // namespace
 
 double takeCorrection(StrandWork& w, ThreadContactWork& t) {   // [1]
-  const double share = t.params.lineSearch ? shareOfCorrection(w, t) : 1.0;   // [1]
+  const double share = shareOfCorrection(w, t);   // [1]
   if (share < 1.0)
     for (double& u : w.rhs) u *= share;
   shiftHands(share, t.border);

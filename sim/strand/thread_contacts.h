@@ -23,7 +23,6 @@ struct ThreadContactParams {
   double friction = 0.30;                      // [1] thread on thread, braided; 0.20 monofilament (physics.md D, design)
   double stiffness = 5e8;                      // [N/m^2] lateral modulus of a braid, about 0.5 GPa over the width (design)
   double breakingTension = 17.4;               // [N] USP knot-pull minimum, 3-0 absorbable synthetic (physics.md D)
-  bool lineSearch = false;                     // Newton's corrections are shortened where contacts ask for it (step_share.h)
 };
 
 /// A solid that the thread lies against: a capsule, with its ends at the start of the step.

@@ -28,10 +28,11 @@ template <class Nodes> double nearestOnPiece(const Nodes& nodes, int piece, cons
   const double c0 = q.dot(e0), c1 = q.dot(c) + e0.dot(e0), c2 = 1.5 * e0.dot(c), c3 = 0.5 * c.dot(c);   // [m^2]
   if (c0 > 0.0 || c0 + c1 + c2 + c3 <= 0.0) return -1.0;
   double low = 0.0, high = 1.0, v = -c0 / (c1 + c2 + c3);   // [1]
-  for (int k = 0; k < 8; ++k) {
+  for (int k = 0; k < 64; ++k) {                 // Newton, halving where it leaves the bracket; four steps as a rule
     const double value = c0 + v * (c1 + v * (c2 + v * c3));   // [m^2]
-    (value > 0.0 ? high : low) = v;
     const double slope = c1 + v * (2.0 * c2 + v * 3.0 * c3);   // [m^2]
+    if (std::abs(value) <= 1e-13 * slope) break;   // before the bracket is asked: at the root a step no longer leaves its edge
+    (value > 0.0 ? high : low) = v;
     const double next = slope > 0.0 ? v - value / slope : low;   // [1]
     v = next > low && next < high ? next : 0.5 * (low + high);
   }

@@ -13,13 +13,6 @@ constexpr double kStep = 1e-3;                 // [s]
 struct Abused : TiedWall {
   double mostForce = 0.0, mostTension = 0.0;   // [N] on a hand; in the thread
 
-  explicit Abused(bool lineSearch) : TiedWall(paramsWith(lineSearch)) {}
-  static SimParams paramsWith(bool lineSearch) {
-    SimParams p = tiedWallParams();
-    p.thread.lineSearch = lineSearch;
-    return p;
-  }
-
   /// Moves a hand straight to a place at a speed, jaws as told.
   void move(int hand, const Vec3& to, double speed) {   // [m], [m/s]
     Vec3& at = input.tools[hand].pose.position;
@@ -47,11 +40,8 @@ struct Abused : TiedWall {
   double holeAt(int h) const { return state.strand.holes[h].coordinate; }   // [m]
 };
 
-class AbusedThread : public testing::TestWithParam<bool> {};
-INSTANTIATE_TEST_SUITE_P(LineSearch, AbusedThread, testing::Bool());
-
-TEST_P(AbusedThread, WoundRoundBothToolsAndTornApartSlipsOrBreaks) {
-  Abused w(GetParam());
+TEST(AbusedThread, WoundRoundBothToolsAndTornApartSlipsOrBreaks) {
+  Abused w;
   w.take(kLeft, w.holeAt(1) + 50e-3);
   ASSERT_GT(w.state.tools[kLeft].threadCoordinate, 0.0);
   const Vec3 middle(2e-3, 12e-3, 34e-3);       // [m]
@@ -72,8 +62,8 @@ TEST_P(AbusedThread, WoundRoundBothToolsAndTornApartSlipsOrBreaks) {
   EXPECT_LT(w.mostForce, 2.0 * w.model.params.thread.breakingTension + 10.0);
 }
 
-TEST_P(AbusedThread, BothHandsOnOnePlacePullAgainstEachOtherUntilItSlips) {
-  Abused w(GetParam());
+TEST(AbusedThread, BothHandsOnOnePlacePullAgainstEachOtherUntilItSlips) {
+  Abused w;
   const double place = w.holeAt(1) + 40e-3;    // [m]
   w.take(kLeft, place);
   w.take(kRight, place + 3e-3);

@@ -68,7 +68,7 @@ TEST(LumenPressure, DoesNotActOnWhatHasBeenCutOff) {
   const std::vector<Vec3> load = loadOf(m, s, 1000.0);
   double onRest = 0.0;                         // [N]
   for (std::size_t v = 0; v < load.size(); ++v) {
-    if (s.tissue.piece[v] > 0) EXPECT_EQ(load[v].norm(), 0.0);
+    if (s.tissue.piece[v] > 0) { EXPECT_EQ(load[v].norm(), 0.0); }
     onRest += load[v].norm();
   }
   EXPECT_GT(onRest, 1.0);

@@ -166,7 +166,6 @@ INSTANTIATE_TEST_SUITE_P(
     All, BadScenes,
     ::testing::Values(
         BadText{"[thread]\nspare = 2", "test.toml:3: thread.spare: needs thread.knots"},
-        BadText{"[thread]\nline_search = true", "test.toml:3: thread.line_search: needs thread.knots"},
         BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"i\"\ndone = { quantity = \"bites\", min = 1 }\nrepeat_from = \"a\"",
                 "repeat_from and repeat_until go together"},
         BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"i\"\ndone = { quantity = \"bites\", min = 1 }\nrepeat_from = \"b\"\n"

@@ -16,7 +16,6 @@ struct Falling {
   double gain = 0.0;                           // [J]
 
   explicit Falling(double gap) {               // [m]
-    rig.contactWork.params.lineSearch = true;
     rig.work.iterate = rig.state.position;
     rig.work.load.assign(rig.work.rhs.size(), 0.0);
     std::fill(rig.work.rhs.begin(), rig.work.rhs.end(), 0.0);
@@ -50,12 +49,6 @@ TEST(StepShare, WhatWouldGoThroughASolidStopsWhereItsPushBalancesTheRest) {
   const double taken = f.take();
   EXPECT_NEAR(taken, share, 1e-3);             // 0.1 um
   EXPECT_DOUBLE_EQ(f.rig.work.rhs[3 * 5 + 2], -taken * kWay);
-}
-
-TEST(StepShare, IsTheWholeWithoutALineSearch) {
-  Falling f(kGap);
-  f.rig.contactWork.params.lineSearch = false;
-  EXPECT_EQ(f.take(), 1.0);
 }
 
 TEST(StepShare, AHandTakesTheSameShare) {

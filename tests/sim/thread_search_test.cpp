@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <tuple>
 
 #include "sim/portable_math.h"
@@ -40,6 +41,28 @@ std::vector<Found> allNear(const KnotRig& rig) {
     }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+/// What is nearest lies square to the curve, however strongly that bends: a place that is off by a little turns the normal of a contact.
+TEST(ThreadSearch, WhatIsNearestLiesSquareToTheCurve) {
+  constexpr double kSegment = 0.3e-3;          // [m]
+  std::mt19937 generator(1);
+  const auto random = [&] { return 2.0 * generator() / 4294967296.0 - 1.0; };   // [1]
+  const auto any = [&] { return Vec3(random(), random(), random()); };   // [1]
+  int found = 0;
+  double worst = 0.0;                          // [1] of a piece
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 ahead = (Vec3::UnitX() + 0.8 * any()).normalized();   // [1]
+    const std::array<Vec3, 3> x = {Vec3::Zero(), kSegment * Vec3::UnitX(), kSegment * (Vec3::UnitX() + ahead)};   // [m]
+    const Vec3 point = x[1] + 2.0 * kSegment * any();   // [m]
+    const double v = nearestOnPiece(x, 0, point);   // [1]
+    if (v < 0.0) continue;
+    ++found;
+    const Vec3 along = (1.0 - v) * (x[1] - x[0]) + v * (x[2] - x[1]);   // [m]
+    worst = std::max(worst, std::abs(along.dot(curvePoint(x, curveWeights(0, v)) - point)) / along.squaredNorm());
+  }
+  EXPECT_GT(found, 3000);
+  EXPECT_LT(worst, 1e-9);
 }
 
 TEST(ThreadSearch, FindsEveryPairThatIsNear) {
