@@ -35,7 +35,7 @@ void follow(const Scene& s) {
 /// Is the loop still on the driver? A turn lacks up to a quarter, as it is begun and ended beside the jaws.
 bool loopLost(const Scene& s) { return woundRoundDriver(s) < s.memory.knot.throws[s.memory.knot.current].turns - kLost; }
 
-/// Would the blades behind the open jaws cut the loop as these close? What hangs beyond the winding hand may be cut.
+/// Would the blades behind the open jaws cut the loop or the tail as these close? What hangs beyond the winding hand may be cut.
 bool wouldBeCut(const Scene& s) {
   const int i = s.memory.hand[kRight].jaw > 0.5 ? threadBetweenBlades(s.model, kRight, s.state) : -1;
   return i >= 0 && s.model.strand.place[i] < s.state.tools[kLeft].threadCoordinate;
@@ -119,7 +119,7 @@ void fetchTail(const Scene& s, std::string& failure) {
   } else {
     e.hand[kRight].jaw = std::fmax(0.0, 1.0 - s.inPhase / 0.2);
     follow(s);
-    if (s.inPhase < 0.3) return;
+    if (!wouldBeCut(s) && s.inPhase < 0.3) return;   // the tail's own end may come between the blades meanwhile
     e.knot.drawn = e.knot.felt = {};
     e.knot.settled = 0.0;
     const bool pinched = s.state.tools[kLeft].threadForce.norm() > kFirm;   // the loop has come between the jaws, too: drawn, it would pull on the stitch
