@@ -20,9 +20,11 @@ constexpr double kOff = 0.1, kTractionReach = 0.08;   // [N] felt of thread that
 constexpr double kMostGiven = 0.02;            // [m] a tail that was taken too tight is let back
 constexpr double kFeelTime = 0.1, kFeel = 0.3; // [s] [N]
 constexpr double kPulled = 0.85, kHeld = 2.0;  // [1] of the tension that counts as it; [s]
+constexpr double kHooked = 30e-3, kShakeTime = 2.0;   // [m] of a needle from the driver's tips; [s]
+constexpr double kAway = 30e-3, kTurnSpeed = 0.08;   // [m] up as the driver turns its tips down, [m/s]
 constexpr int kAttempts = 4;
 
-enum CutPhase { kHang, kFree = kHang + kHangingPhases, kOver, kDown, kClose, kUp };
+enum CutPhase { kHang, kFree = kHang + kHangingPhases, kOver, kDown, kClose, kUp, kShake };
 
 void goTo(const Scene& s, int phase) {
   s.memory.phase = phase;
@@ -42,6 +44,20 @@ double cutPlace(const Scene& s) {
 bool wouldCutAnother(const Scene& s) {
   const int i = threadBetweenBlades(s.model, kRight, s.state);
   return i >= 0 && std::fabs(s.model.strand.place[i] - s.memory.place) > kSamePlace;
+}
+
+/// A needle that is cut off falls, or it hangs on the driver's jaws like a ring: there the next thing to be taken would find it.
+bool needleHangsOnDriver(const Scene& s) {
+  const Vec3 needle = s.state.strand.needle.apply(s.model.strand.needleCentre);   // [m]
+  return (needle - s.state.tools[kRight].proxy.position).norm() < kHooked;
+}
+
+/// The driver turns its tips to the ground, open, so that what hangs on them slides off.
+void beginShake(const Scene& s) {
+  const Pose& now = s.memory.hand[kRight].command;
+  const Vec3 up = -s.model.params.gravity.normalized();
+  s.memory.goal[kRight] = {now.position + kAway * up, (Quat::FromTwoVectors(now.orientation * Vec3::UnitZ(), up) * now.orientation).normalized()};
+  goTo(s, kShake);
 }
 
 /// Where the hand that holds the long end lifts it to.  [m]
@@ -83,10 +99,17 @@ bool runCut(const Scene& s, std::string& failure) {
     if (!another && !pickUp(s, kRight, grip, kOver)) return false;
     e.goal[kRight] = above(driver.command, 0.03);
     goTo(s, kUp);
+  } else if (e.phase == kShake) {
+    moveHand(s, kRight, e.goal[kRight], kTurnSpeed);
+    return s.inPhase > kShakeTime || !needleHangsOnDriver(s);
   } else {
     driver.jaw = 1.0;
     if (s.inPhase < 0.3 || !moveHand(s, kRight, e.goal[kRight], 0.08)) return false;
-    if (s.state.knot.cuts > e.cutsBefore) return true;
+    if (s.state.knot.cuts > e.cutsBefore) {
+      if (!needleHangsOnDriver(s)) return true;
+      beginShake(s);
+      return false;
+    }
     if (++e.attempt >= kAttempts) { failure = "the thread was not between the blades"; return false; }
     goTo(s, kOver);
     e.place = cutPlace(s);

@@ -80,7 +80,7 @@ void wind(const Scene& s) {
     e.hand[kRight].jaw = 0.0;
     giveWay(s, kTight);
     moveHand(s, kLeft, windingPose(s, driverPlace(s), 0.0), kMove);
-    if (s.inPhase > 0.2 && s.state.tools[kRight].threadCoordinate >= 0.0 && ++k.misses <= kAttempts) { goTo(s, kUnwind); return; }
+    if (s.inPhase > 0.2 && !jawsEmpty(s.state.tools[kRight]) && ++k.misses <= kAttempts) { goTo(s, kUnwind); return; }
     if (s.inPhase > 0.2 && moveHand(s, kRight, driverPose(s, 0.0), kMove) && withinReach(s)) goTo(s, kWind);
   } else if (e.phase == kWind) {
     giveWay(s, kSnug);

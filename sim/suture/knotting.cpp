@@ -81,14 +81,21 @@ class Substeps {
     solid.owner = hand;
     if (hand >= 0) moveSolid(state_.work.threadContacts.border.tool[hand].offset - offset_[hand], solid);
     const double held = hand >= 0 ? state_.tools[hand].threadCoordinate : -1.0;   // [m]
-    if (hand >= 0 && k % kSolidsPerTool < 2 && state_.tools[hand].holdsNeedle) {   // closed on it: thread between the jaws is not crushed
-      solid.freeFrom = 0.0;
+    if (hand >= 0 && k % kSolidsPerTool < 2 && state_.tools[hand].holdsNeedle) {   // closed on it: its thread between the jaws is not crushed
+      solid.freeFrom = needlePieceFrom(model_, state_);
       solid.freeTo = model_.strand.length;
     } else if (held >= 0.0) {
       solid.freeFrom = held - kJawReach;
       solid.freeTo = held + kJawReach;
     }
     return solid;
+  }
+
+  /// Where the piece of the thread begins that hangs on the needle.  [m]
+  static double needlePieceFrom(const Model& m, const State& s) {
+    int i = m.strand.nodes - 1;
+    while (i > 0 && !s.threadContacts.cut[i - 1]) --i;
+    return m.strand.place[i];
   }
 
   static void moveSolid(const Vec3& by, ThreadSolid& solid) {   // [m]

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "sim/strand/strand.h"
 #include "tests/scenes/tied_wall.h"
 
 namespace halsted {
@@ -32,6 +33,61 @@ double leftPastTheHand(int beyond) {           // [mm] as the script has it
 
 TEST(ExpertCut, LeavesAsMuchPastTheHandAsTheScriptSays) {
   EXPECT_NEAR(leftPastTheHand(24), 24e-3, 3e-3);   // [m] twice what it is where the script is silent; to a segment of 2 mm
+}
+
+/// The driver has the thread in its jaws there.
+void holdThread(TiedWall& w, double coordinate) {   // [m]
+  ToolState& driver = w.state.tools[kRight];
+  driver.proxy.position = strandPoint(w.model.strand, w.state.strand, coordinate);
+  driver.device = w.input.tools[kRight].pose = driver.proxy;
+  driver.jaw = w.input.tools[kRight].jaw = 0.0;
+  driver.closed = true;
+  driver.threadCoordinate = coordinate;
+}
+
+TEST(ExpertCut, TakesTheThreadByTheStitchWhereTheDriverHasItCloseToTheNeedle) {
+  TiedWall w(withBlades());
+  const double place = w.model.strand.length - 20e-3;   // [m] what is left beyond is not enough to take it there
+  holdThread(w, place);
+  EXPECT_TRUE(w.act("[[action]]\ndo = \"cut\"\nlimit_s = 30\n")) << w.failure;
+  EXPECT_GT(w.state.knot.cuts, 0);
+  EXPECT_LT(w.state.tools[kLeft].threadCoordinate, place - 5e-3);
+}
+
+/// The needle goes round one of the driver's open jaws, in the fork between them, like a ring.
+void hookNeedle(TiedWall& w) {
+  const StrandModel& m = w.model.strand;
+  const Pose& driver = w.state.tools[kRight].proxy;
+  const Vec3 middle = m.arcPoint[StrandModel::kArcTable / 2], along = m.arcTangent[StrandModel::kArcTable / 2];   // [m], [1] needle frame
+  const Vec3 inward = (m.needleCentre - middle).normalized();
+  Mat3 needle, tool;
+  needle << inward, along, inward.cross(along);
+  tool << Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ();
+  StrandState& s = w.state.strand;
+  s.needle.orientation = (driver.orientation * Quat(tool * needle.transpose())).normalized();
+  s.needle.position = driver.apply(Vec3(0.0, 0.0, 11e-3)) - s.needle.orientation * middle;
+  s.needleVelocity = s.needleSpin = Vec3::Zero();
+}
+
+TEST(ExpertCut, ShakesOffTheNeedleThatHasCaughtOnItsJaws) {
+  SimParams p = withBlades();
+  p.gravity = Vec3(0.0, -9.81, 0.0);           // across the driver as it cuts
+  TiedWall w(p);
+  const scenes::ExpertScript script = scenes::parseExpert("scene = \"wall\"\n" + drawAndCut(w, 24), "test");
+  const scenes::ExpertStatePtr memory = scenes::beginExpert(script, w.model);
+  double low = 0.0;                            // [m] the driver as it cuts
+  bool hooked = false;
+  while (w.advance(script, *memory)) {
+    const double height = w.state.tools[kRight].proxy.position.z();   // [m]
+    if (w.state.knot.cuts == 0) low = height;
+    if (hooked || height < low + 28e-3) continue;                // it is nearly up again
+    hookNeedle(w);
+    hooked = true;
+  }
+  EXPECT_EQ(w.failure, "");
+  EXPECT_TRUE(hooked);
+  const Vec3 needle = w.state.strand.needle.apply(w.model.strand.needleCentre);   // [m]
+  EXPECT_GT((needle - w.state.tools[kRight].proxy.position).norm(), 30e-3);
 }
 
 /// The first segment of the tail across the driver's blades, where they are open, for as long as this lives.

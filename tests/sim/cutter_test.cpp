@@ -118,5 +118,23 @@ TEST(Cutter, LeavesTwoPiecesThatNoLongerPullOnEachOther) {
   EXPECT_GT(pulled[0], 1e-3);                  // the needle, which is held, holds the whole thread
 }
 
+/// How far a driver that holds the needle, cut off, takes the other piece along that lies across before its jaws, moved by 20 mm.  [m]
+double takenAlongByADriverWithTheNeedle() {
+  constexpr int kPiece = 30;                   // nodes
+  StepRig rig(withBlades(true), kNeedleAway);
+  Pose& driver = rig.input.tools[kRight].pose;
+  const Vec3 way = driver.orientation * Vec3::UnitX(), before = driver.position;
+  rig.state.threadContacts.cut[kPiece - 1] = 1;
+  for (int i = 0; i < kPiece; ++i)             // half way up the jaws, 10 mm before them
+    rig.state.strand.position[i] = driver.apply(Vec3(10e-3, rig.model.strand.place[i] - rig.model.strand.place[kPiece / 2], 6e-3));
+  for (int k = 0; k < 100; ++k) {
+    driver.position += 0.2e-3 * way;
+    rig.step();
+  }
+  return (rig.state.strand.position[kPiece / 2] - before).dot(way) - 10e-3;
+}
+
+TEST(Cutter, JawsThatHoldANeedleThatIsCutOffAreNoLessInTheWayOfItsThread) { EXPECT_GT(takenAlongByADriverWithTheNeedle(), 5e-3); }
+
 }  // namespace
 }  // namespace halsted
