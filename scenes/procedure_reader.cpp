@@ -1,6 +1,7 @@
 #include "scenes/procedure_reader.h"
 
 #include <cmath>
+#include <span>
 
 namespace halsted::scenes {
 namespace {
@@ -54,7 +55,8 @@ ProcedureStep readStep(const toml::table& table, const std::string& origin) {
     else if (part == "done") step.done = readCondition(value, origin, key, nullptr);
     else if (part == "fault") step.fault = readCondition(value, origin, key, &step.faultName);
     else if (part == "repeat_until") step.enough = readCondition(value, origin, key, nullptr);
-    else if (part == "repeat_from") continue;    // names a step: looked up in the whole table
+    else if (part == "again_when") step.undone = readCondition(value, origin, key, nullptr);
+    else if (part == "repeat_from" || part == "again_from") continue;    // names a step: looked up in the whole table
     else if (part == "limit_s") step.limit = boundedSeconds(value, where);
     else throw InputError(where + ": unknown key");
   }
@@ -62,20 +64,22 @@ ProcedureStep readStep(const toml::table& table, const std::string& origin) {
   const std::string where = whereIs(origin, table, "procedure");
   if (table.contains("repeat_from") != table.contains("repeat_until"))
     throw InputError(where + ": repeat_from and repeat_until go together");
+  if (table.contains("again_from") != table.contains("again_when"))
+    throw InputError(where + ": again_from and again_when go together");
   if (step.id.empty()) throw InputError(where + ": a step has no id");
   if (step.instruction.empty()) throw InputError(where + ": step '" + quoted(step.id) + "' has no instruction");
   if (!table.contains("done")) throw InputError(where + ": step '" + quoted(step.id) + "' has no done condition");
   return step;
 }
 
-/// `repeat_from` names this step or one before it.
-void findRepeat(const toml::table& table, const std::string& origin, std::vector<ProcedureStep>& steps) {
-  const toml::node* node = table.get("repeat_from");
-  if (!node) return;
-  const std::string where = whereIs(origin, *node, "procedure.repeat_from"), id = requireText(*node, where);
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    if (steps[i].id == id) steps.back().repeatFrom = static_cast<int>(i);
-  if (steps.back().repeatFrom < 0) throw InputError(where + ": no step up to here is called '" + quoted(id) + "'");
+/// The step of `upTo` that a key names; -1 where the key is not there.
+int findStep(const toml::table& table, const std::string& origin, const char* key, std::span<const ProcedureStep> upTo) {
+  const toml::node* node = table.get(key);
+  if (!node) return -1;
+  const std::string where = whereIs(origin, *node, std::string("procedure.") + key), id = requireText(*node, where);
+  for (std::size_t i = 0; i < upTo.size(); ++i)
+    if (upTo[i].id == id) return static_cast<int>(i);
+  throw InputError(where + ": no step up to here is called '" + quoted(id) + "'");
 }
 
 }  // namespace
@@ -92,7 +96,9 @@ std::vector<ProcedureStep> readProcedure(const toml::node& node, const std::stri
     for (std::size_t i = 0; i + 1 < steps.size(); ++i)
       if (steps[i].id == steps.back().id)
         throw InputError(whereIs(origin, entry, "procedure") + ": two steps are called '" + quoted(steps.back().id) + "'");
-    findRepeat(*entry.as_table(), origin, steps);
+    const std::span<const ProcedureStep> all = steps;
+    steps.back().repeatFrom = findStep(*entry.as_table(), origin, "repeat_from", all);
+    steps.back().againFrom = findStep(*entry.as_table(), origin, "again_from", all.first(all.size() - 1));
   }
   return steps;
 }

@@ -66,7 +66,8 @@ enum class EventKind : std::uint8_t {
   kInstrumentRefused,                        // index: InstrumentRefusal, why it is not changed
   kTissueCut,                                // index: tet that heat has taken away; value: its heat [J]
   kPieceFree,                                // index: how many pieces hang on nothing now; value: their volume [m^3]
-  kPieceTaken                                // index: how many have been carried away; value: its volume [m^3]
+  kPieceTaken,                               // index: how many have been carried away; value: its volume [m^3]
+  kBegunAnew                                 // index: procedure step that was under way; back to an earlier one
 };
 const char* name(EventKind);
 

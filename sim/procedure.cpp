@@ -52,11 +52,9 @@ bool becomesLate(const ProcedureStep& step, double time, ProcedureState& state) 
   return true;
 }
 
-void enterNext(std::span<const ProcedureStep> table, const Observation& seen, double time, ProcedureState& state) {   // time [s]
+void enter(std::span<const ProcedureStep> table, std::int32_t next, double time, ProcedureState& state) {   // time [s]
   const ProcedureStep& left = table[state.current];
-  state.finished[state.current] = time;
-  const bool again = left.repeatFrom >= 0 && left.repeatFrom <= state.current && !holds(left.enough, seen);
-  state.current = again ? left.repeatFrom : state.current + 1;
+  state.current = next;
   const bool completed = state.current == static_cast<std::int32_t>(table.size());
   // A fault that goes on under the same condition is still the same occurrence, not a new one of the next step.
   const bool goesOn = !completed && table[state.current].hasFault && left.hasFault && same(left.fault, table[state.current].fault);
@@ -65,6 +63,13 @@ void enterNext(std::span<const ProcedureStep> table, const Observation& seen, do
   if (!goesOn) state.heldFault = 0.0;
   state.stepStart = time;
   state.late = false;
+}
+
+void enterNext(std::span<const ProcedureStep> table, const Observation& seen, double time, ProcedureState& state) {   // time [s]
+  const ProcedureStep& left = table[state.current];
+  state.finished[state.current] = time;
+  const bool again = left.repeatFrom >= 0 && left.repeatFrom <= state.current && !holds(left.enough, seen);
+  enter(table, again ? left.repeatFrom : state.current + 1, time, state);
 }
 
 }  // namespace
@@ -94,6 +99,10 @@ ProcedureEvent advance(std::span<const ProcedureStep> table, const Observation& 
   if (faults > 0) {
     state.faults[state.current] += faults;
     return ProcedureEvent::kFault;
+  }
+  if (!done && step.againFrom >= 0 && step.againFrom < state.current && holds(step.undone, seen)) {
+    enter(table, step.againFrom, time, state);
+    return ProcedureEvent::kBegunAnew;
   }
   if (!done) return ProcedureEvent::kNone;
   enterNext(table, seen, time, state);

@@ -94,6 +94,8 @@ struct ProcedureStep {
   double limit = 0.0;                                        // [s] 0 = none; exceeding it is the fault "too slow"
   int repeatFrom = -1;                                       // index of an earlier step, or this one: back there once this is done, unless `enough`
   Condition enough;
+  int againFrom = -1;                                        // index of an earlier step: back there as soon as `undone`, what was begun is gone
+  Condition undone;
 };
 
 inline constexpr int kMaxProcedureSteps = 32;
@@ -108,7 +110,7 @@ struct ProcedureState {
   bool inFault = false, late = false;
 };
 
-enum class ProcedureEvent : std::uint8_t { kNone, kStepDone, kFault, kCompleted };
+enum class ProcedureEvent : std::uint8_t { kNone, kStepDone, kFault, kBegunAnew, kCompleted };
 
 /// Advances the procedure by one step. Pure: same table, observation and state give the same state.  time, dt [s]
 ProcedureEvent advance(std::span<const ProcedureStep> table, const Observation& seen, double time, double dt, ProcedureState&);

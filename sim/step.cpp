@@ -98,8 +98,10 @@ void stepProcedure(const Model& m, State& s, StepOutput& out) {
   const int before = s.procedure.current;
   const ProcedureEvent event = advance(m.procedure, out.seen, s.step * m.params.dt, m.params.dt, s.procedure);
   if (event == ProcedureEvent::kNone) return;
-  const EventKind kind = event == ProcedureEvent::kFault ? EventKind::kFault
-                         : event == ProcedureEvent::kStepDone ? EventKind::kStepDone : EventKind::kProcedureCompleted;
+  EventKind kind = EventKind::kProcedureCompleted;
+  if (event == ProcedureEvent::kFault) kind = EventKind::kFault;
+  if (event == ProcedureEvent::kStepDone) kind = EventKind::kStepDone;
+  if (event == ProcedureEvent::kBegunAnew) kind = EventKind::kBegunAnew;
   pushEvent(out, {s.step, kind, -1, before, s.step * m.params.dt});
 }
 

@@ -168,6 +168,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"[thread]\nspare = 2", "test.toml:3: thread.spare: needs thread.knots"},
         BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"i\"\ndone = { quantity = \"bites\", min = 1 }\nrepeat_from = \"a\"",
                 "repeat_from and repeat_until go together"},
+        BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"i\"\ndone = { quantity = \"bites\", min = 1 }\nagain_from = \"a\"",
+                "again_from and again_when go together"},
+        BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"i\"\ndone = { quantity = \"bites\", min = 1 }\nagain_from = \"a\"\n"
+                "again_when = { quantity = \"bites\", max = 0 }",
+                "procedure.again_from: no step up to here is called 'a'"},
         BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"i\"\ndone = { quantity = \"bites\", min = 1 }\nrepeat_from = \"b\"\n"
                 "repeat_until = { quantity = \"stitches\", min = 2 }",
                 "procedure.repeat_from: no step up to here is called 'b'"},

@@ -173,5 +173,24 @@ TEST(Procedure, AGroupIsDoneAgainUntilThereAreEnough) {
   EXPECT_EQ(run.once(), ProcedureEvent::kCompleted);
 }
 
+/// take, bite, tie: the thread is taken out again while it is being tied.
+TEST(Procedure, WhatIsUndoneIsBegunAnewWithItsTimeLimits) {
+  ProcedureStep tie = named("tie", Quantity::kKnotLocks);
+  tie.limit = 5.5 * kDt;
+  tie.againFrom = 1;
+  tie.undone = {Quantity::kBites, -1e300, 0.0, 0.0};
+  Rehearsal run{{named("look", Quantity::kTears), named("bite", Quantity::kBites), tie}};
+  run[Quantity::kTears] = run[Quantity::kBites] = 1;
+  EXPECT_EQ(run.countEvents(6, ProcedureEvent::kStepDone), 2);   // four steps of five on the way
+  run[Quantity::kBites] = 0;
+  EXPECT_EQ(run.once(), ProcedureEvent::kBegunAnew);
+  EXPECT_EQ(run.state.current, 1);
+  run[Quantity::kBites] = 1;
+  EXPECT_EQ(run.once(), ProcedureEvent::kStepDone);
+  EXPECT_EQ(run.countEvents(4, ProcedureEvent::kFault), 0);
+  run[Quantity::kKnotLocks] = 1;
+  EXPECT_EQ(run.once(), ProcedureEvent::kCompleted);
+}
+
 }  // namespace
 }  // namespace halsted
