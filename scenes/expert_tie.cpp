@@ -61,6 +61,14 @@ bool letTailGo(const Scene& s) {
   return s.inPhase > 0.3 && moveHand(s, kRight, e.goal[kRight], kMove);
 }
 
+/// The driver leaves the loop along its shaft; opened inside one that is tight, its jaws would draw on the stitch.
+bool unwind(const Scene& s) {
+  ExpertState& e = s.memory;
+  if (s.inPhase < 1.5 * s.dt) e.goal[kRight] = above(e.hand[kRight].command, 0.02);
+  if (!jawsEmpty(s.state.tools[kRight])) e.hand[kRight].jaw = 1.0;
+  return s.inPhase > 0.3 && moveHand(s, kRight, e.goal[kRight], kMove);
+}
+
 bool runTie(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   if (e.phase != kLook && s.state.strand.holeCount < 2) { failure = "the thread has left the tissue"; return false; }
@@ -71,7 +79,7 @@ bool runTie(const Scene& s, std::string& failure) {
   else if (e.phase == kShorten) shortenTail(s);
   else if (e.phase <= kWind) wind(s);
   else if (e.phase <= kClose) fetchTail(s, failure);
-  else if (e.phase == kUnwind) { if (letTailGo(s)) goTo(s, kLiftLong); }
+  else if (e.phase == kUnwind) { if (unwind(s)) goTo(s, kLiftLong); }
   else if (e.phase <= kCross) drawThrough(s);
   else if (e.phase == kLayTail) { if (layTail(s)) goTo(s, kLetTail); }
   else if (e.phase == kLetTail) nextThrow(s);

@@ -30,6 +30,7 @@ struct KnotPlan {
   double lower = 0.0;                          // [m] by which the driver stands nearer to the stitch than its thread allows: its device has come to a stop, or the winding hand has nothing more to give
   int misses = 0;                              // of the tail, or of a loop that clings or slides off, in this throw
   int beside = 0;                              // how often of these the jaws closed beside the tail, or the loop did not reach so far: it is taken a little further along
+  double missed = -1.0;                        // [m] coordinate where the jaws closed beside the tail the last time
   std::array<double, kHands> drawn{}, felt{};  // [m], [N]
   double settled = 0.0;                        // [s]
 };

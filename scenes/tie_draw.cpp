@@ -18,6 +18,7 @@ constexpr double kOver = 18e-3, kBeyond = 12e-3;   // [m] of the other hand abov
 constexpr double kDraw = 0.03, kDrawTaut = 5e-3;   // [m/s] of slack thread; of thread that it feels
 constexpr double kHoldTail = 0.15;             // [1] of that for the tail: it is to stay short
 constexpr double kReach = 0.09;                // [m] as far as an arm draws
+constexpr double kBehind = 10e-3;              // [m] that a hand lags where its device stops
 constexpr double kFeel = 0.5;                  // [N]
 constexpr double kLaySide = 0.5, kLayUp = 0.2; // [1] of the way toward the surgeon
 constexpr double kLaySlack = 0.8;              // [1] of the tail's straight length: as far from the stitch as it was drawn, it would still draw

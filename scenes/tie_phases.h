@@ -11,9 +11,8 @@ enum TiePhase {
 
 inline constexpr double kMove = 0.08, kCareful = 0.03;   // [m/s] of a hand through the air; near thread
 inline constexpr double kFeelTime = 0.05;      // [s] over which a hand feels a force
-inline constexpr double kBehind = 10e-3;       // [m] that a hand lags where its device stops
 inline constexpr double kFirm = 0.6;           // [N] with which a loop that clings is drawn off
-inline constexpr int kAttempts = 4;            // at each throw
+inline constexpr int kAttempts = 6;            // at each throw
 
 /// Begins a phase.
 void goTo(const Scene&, int phase);

@@ -13,7 +13,7 @@
 namespace halsted::scenes {
 namespace {
 
-constexpr double kRise = 0.35;                 // [1] of the driver's shaft over the level way to its handle
+constexpr double kRise = 0.12;                 // [1] of the driver's shaft over the level way to its handle: steeper, its device would come to its stop far over the stitch
 constexpr double kTailRise = 0.7;              // [1] as it takes the tail: flatter, and the lower jaw would dig into the tissue on which that lies
 constexpr double kWindRise = -kRise, kLeftRise = 0.7;   // [1] of the other hand's: along the driver's while it winds, or its shaft would pass through the jaws
 constexpr double kUpJaws = 12e-3;              // [m] above the tips: where the thread goes round; what the jaws grip lies lower
@@ -29,6 +29,7 @@ constexpr double kLevel = 1e-6;                // [1] of the way down; less is r
 constexpr double kCling = 20e-3;               // [m] from the jaws; a needle that is cut off falls half a metre meanwhile
 constexpr double kFromEnd = 5e-3;              // [m] of tail beyond the jaws
 constexpr double kLongTail = 40e-3, kBeyondGrip = 0.25;   // [m] of tail; of one that is longer [1]
+constexpr double kSamePlace = 12e-3, kRoom = 8e-3, kFar = 0.1;   // [m] along the thread; no better with more; [1] room that one would give up to be nearer to where one would like to
 constexpr double kUpright = 10e-3, kMostDetour = 15e-3;   // [m] above the stitch, past every edge; of thread that is no curl
 constexpr double kElsewhere = 4e-3;            // [m] along the tail and back: all that lies beyond the jaws has to come through the loop with them
 
@@ -87,10 +88,35 @@ Pose driverPose(const Scene& s, double back) {   // [m] along its shaft
   return laid(s, kRight, driverPlace(s) + back * driverShaft(s), {driverShaft(s), s.memory.knot.side});
 }
 
+namespace {
+
+/// From a place on the tail to the thread that lies elsewhere: jaws that close there take hold of nothing else.  [m]
+double roomAbout(const Scene& s, double coordinate) {   // [m]
+  const Vec3 p = strandPoint(s.model.strand, strand(s), coordinate);
+  double room = kRoom;
+  for (int i = 0; i < s.model.strand.nodes; ++i)
+    if (std::fabs(s.model.strand.place[i] - coordinate) > kSamePlace) room = std::fmin(room, (p - strand(s).position[i]).norm());
+  return room;
+}
+
+/// Where the tail lies by itself, but not where it was missed the last time.  [m]
+double clearPlace(const Scene& s, double like) {   // [m]
+  double best = like, most = -1.0;             // [m]
+  for (double c = kFromEnd; c < 0.5 * tailHole(s).coordinate; c += 1e-3) {
+    if (std::fabs(c - s.memory.knot.missed) < 0.5 * kElsewhere) continue;
+    const double room = roomAbout(s, c) - kFar * std::fabs(c - like);   // [m]
+    if (room > most) { most = room; best = c; }
+  }
+  return best;
+}
+
+}  // namespace
+
 double tailPlace(const Scene& s) {             // [m]
   const double tail = tailHole(s).coordinate;  // [m]
   const double place = tail > kLongTail ? kBeyondGrip * tail : kFromEnd;   // [m] nearer to the stitch on a long tail
-  const double aside = s.memory.knot.beside % 2 == 0 ? 0.0 : place > kElsewhere + kFromEnd ? -kElsewhere : kElsewhere;   // [m]
+  if (s.memory.knot.beside > 1) return clearPlace(s, place);
+  const double aside = s.memory.knot.beside == 0 ? 0.0 : place > kElsewhere + kFromEnd ? -kElsewhere : kElsewhere;   // [m]
   return std::fmin(place + aside, 0.5 * tail);
 }
 /// Between the stitch and the hand that winds.  [m]

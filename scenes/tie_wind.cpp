@@ -13,7 +13,9 @@ constexpr double kWindSpeed = 3.0;             // [rad/s]
 constexpr double kSnug = 0.03, kGive = 0.06, kMostGive = 0.3;   // [N] more would draw the tail into the tissue: the winding hand gives way; [m/s]
 constexpr double kWider = 6e-3, kOpening = 0.4;   // [m] of thread that the opening jaws take up in a turn; [s]
 constexpr double kTight = 0.15;                // [N] at the winding hand: a loop drawn tighter holds the jaws like a capstan
+constexpr double kDrawsOn = 0.5, kCaught = 6.0; // [N] of thread on the driver: it goes no farther; [s] then the loop is caught on something
 constexpr double kArrived = 1e-3, kSettle = 0.6;   // [m] of the jaws from the tail: the device is behind its hand; [s] pressed on tissue, it comes no nearer
+constexpr double kShort = 4e-3;                // [m] that the driver, which nothing holds, is short of its place where its device stops
 constexpr double kLost = 0.6;                  // [1] of a turn less than planned: the loop has slid off
 
 /// A winding hand that feels its thread gives way, the sooner the more it feels: a first throw bears less than a tenth of a newton.
@@ -23,12 +25,13 @@ void giveWay(const Scene& s, double snug) {    // [N]
   if (k.felt[kLeft] > snug) k.given += std::fmin(kMostGive, kGive * k.felt[kLeft] / snug) * s.dt;
 }
 
-/// Has the winding hand given way as far as it has to?
-bool isLoose(const Scene& s) { return s.memory.knot.felt[kLeft] < kTight; }
+/// Has the winding hand given way as far as it has to, and does nothing draw on the jaws?
+bool isLoose(const Scene& s) { return s.memory.knot.felt[kLeft] < kTight && s.memory.knot.felt[kRight] < kDrawsOn; }
 
 /// The winding hand stays beside the driver and keeps the loop on its jaws.
 void follow(const Scene& s) {
   giveWay(s, kSnug);
+  feel(s.memory.knot.felt[kRight], s.state.tools[kRight].strandForce.norm(), s.dt, kFeelTime);
   moveHand(s, kLeft, windingPose(s, s.memory.hand[kRight].command.position, wholeTurns(s)), 0.15);
 }
 
@@ -50,7 +53,7 @@ bool windAgain(const Scene& s) {
 
 /// Has the driver come to where it was sent? Where its device stops short of that, it is sent nearer to the stitch.
 bool withinReach(const Scene& s) {
-  const bool behind = (s.memory.hand[kRight].command.position - s.state.tools[kRight].proxy.position).norm() > kBehind;
+  const bool behind = (s.memory.hand[kRight].command.position - s.state.tools[kRight].proxy.position).norm() > kShort;
   if (behind) s.memory.knot.lower += kCareful * s.dt;
   return !behind;
 }
@@ -84,11 +87,12 @@ void wind(const Scene& s) {
     if (s.inPhase > 0.2 && moveHand(s, kRight, driverPose(s, 0.0), kMove) && withinReach(s)) goTo(s, kWind);
   } else if (e.phase == kWind) {
     giveWay(s, kSnug);
-    if (!isLoose(s)) k.lower += kCareful * s.dt;   // thread is shorter than was thought, and the hand that gives way as near to the jaws as it gets
+    if (isLoose(s)) k.swept = std::fmin(wholeTurns(s), k.swept + kWindSpeed * s.dt);
+    else k.lower += kCareful * s.dt;           // thread is shorter than was thought, and the hand that gives way as near to the jaws as it gets
     moveHand(s, kRight, driverPose(s, 0.0), kCareful);
-    k.swept = std::fmin(wholeTurns(s), k.swept + kWindSpeed * s.dt);
     const Pose hand = windingPose(s, e.hand[kRight].command.position, k.swept);
     if (moveHand(s, kLeft, hand, 0.25) && k.swept >= wholeTurns(s)) goTo(s, kFollow);
+    else if (s.inPhase > kCaught + wholeTurns(s) / kWindSpeed && ++k.misses <= kAttempts) goTo(s, kUnwind);
   }
 }
 
@@ -97,13 +101,13 @@ void fetchTail(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   const Pose grip = tailGrip(s);
   if (e.phase == kFollow) {
-    const bool there = moveHand(s, kRight, above(grip, 8e-3), kCareful);
+    const bool there = isLoose(s) && moveHand(s, kRight, above(grip, 8e-3), kCareful);
     follow(s);
-    if (!(there && isLoose(s)) && s.inPhase < 3.0) return;
+    if (!there && s.inPhase < kCaught) return;
     if (windAgain(s)) return;
-    if (isLoose(s) || ++e.knot.misses > kAttempts) { goTo(s, kOpen); return; }
-    ++e.knot.beside;                           // opened in a tight loop, the jaws would draw on the stitch
-    goTo(s, kFollow);
+    if (there || ++e.knot.misses > kAttempts) { goTo(s, kOpen); return; }
+    ++e.knot.beside;                           // drawn on, or opened in, a tight loop would draw the tail out of its stitch
+    goTo(s, kUnwind);
   } else if (e.phase == kOpen) {
     double& jaw = e.hand[kRight].jaw;
     if (jaw < 1.0) e.knot.given += e.knot.throws[e.knot.current].turns * kWider / kOpening * s.dt;
@@ -112,7 +116,7 @@ void fetchTail(const Scene& s, std::string& failure) {
     if (s.inPhase > 0.5) goTo(s, kToTail);
   } else if (e.phase == kToTail) {
     if (s.inPhase < 1.5 * s.dt) e.goal[kRight] = {grip.position - 1e-3 * (grip.orientation * Vec3::UnitZ()), grip.orientation};   // not after thread that gives way into soft tissue
-    const bool sent = moveHand(s, kRight, e.goal[kRight], kCareful);
+    const bool sent = isLoose(s) && moveHand(s, kRight, e.goal[kRight], kCareful);
     const bool there = sent && (s.inPhase > kSettle || (s.state.tools[kRight].proxy.position - e.goal[kRight].position).norm() < kArrived);
     follow(s);
     if (((there && isLoose(s)) || s.inPhase > 2.0) && !windAgain(s)) goTo(s, kClose);
@@ -126,6 +130,7 @@ void fetchTail(const Scene& s, std::string& failure) {
     if (holdsTail(s) && !pinched) { goTo(s, kThrough); return; }
     if (++e.knot.misses > kAttempts) failure = "the tail was not taken";
     if (pinched) { goTo(s, kOpen); return; }   // where it is: raised, it would take the loop along
+    e.knot.missed = tailPlace(s);
     ++e.knot.beside;
     e.hand[kRight].jaw = 1.0;                  // whatever it has taken instead
     goTo(s, kFollow);

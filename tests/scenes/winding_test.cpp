@@ -63,15 +63,31 @@ TEST_F(Winding, TheDriverComesDownWhereTheThreadIsShorterThanWasThought) {
   EXPECT_LT(height(), before - 5e-3);
 }
 
-/// Jaws that open in a tight loop draw on the stitch: the driver does not, and goes for the tail nearer to it.
-TEST_F(Winding, JawsStayClosedInATightLoopAndComeNearer) {
+/// Jaws that go on, or open, in a tight loop draw on the stitch: the driver waits; at last it leaves the loop closed, and goes for the tail
+/// nearer to the stitch the next time.
+TEST_F(Winding, JawsWaitInATightLoopAndLeaveItClosed) {
   runTo(scenes::kFollow);
   const scenes::Scene scene{w.model, w.state, *memory, script.actions[0], 1e-3, 0.0};
   const double before = scenes::tailPlace(scene);   // [m] along the tail
-  feel(0.5, 3300);
+  feel(0.5, 500);                              // [steps] until it is felt
+  const Vec3 waits = memory->hand[kRight].command.position;      // [m]
+  feel(0.5, 5400);
   EXPECT_EQ(memory->phase, scenes::kFollow);
+  EXPECT_LT((memory->hand[kRight].command.position - waits).norm(), 1e-9);
+  feel(0.5, 400);
+  EXPECT_EQ(memory->phase, scenes::kUnwind);
   EXPECT_LT(w.state.tools[kRight].jaw, 0.1);
   EXPECT_GT(scenes::tailPlace(scene), before + 2e-3);
+}
+
+/// Jaws that have missed the tail twice go where it lies by itself: other thread across it would be taken again.
+TEST_F(Winding, TheTailIsTakenWhereNoOtherThreadLies) {
+  runTo(scenes::kFollow);
+  const scenes::Scene scene{w.model, w.state, *memory, script.actions[0], 1e-3, 0.0};
+  const double usual = scenes::tailPlace(scene);                 // [m] along the tail
+  w.state.strand.position[w.model.strand.nodes - 5] = strandPoint(w.model.strand, w.state.strand, usual + 1e-3);
+  memory->knot.beside = 2;
+  EXPECT_GT(std::fabs(scenes::tailPlace(scene) - usual - 1e-3), 3e-3);
 }
 
 }  // namespace
