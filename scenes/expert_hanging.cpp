@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kByTheNeedle = 24e-3;         // [m] no nearer to it
 constexpr double kCloser = 0.75, kClosest = 8e-3;   // [1] of the way to the driver after a miss; no nearer to its jaws [m]
+constexpr double kSamePlace = 15e-3;           // [m] along the thread; what else the jaws have taken they let go
 constexpr double kUp = 0.02, kSpeed = 0.08;    // [m] the hand rises when it has let go, [m/s]
 constexpr double kLetGo = 0.3;                 // [s]
 
@@ -29,7 +30,8 @@ bool takeHanging(const Scene& s, int first) {
     return false;
   }
   if (!pickUp(s, kLeft, threadGrip(s, kLeft, e.place), first + 1)) return false;
-  if (s.state.tools[kLeft].threadCoordinate >= 0.0) return true;
+  const double held = s.state.tools[kLeft].threadCoordinate;   // [m]
+  if (held >= 0.0 && std::fabs(held - e.place) < kSamePlace) return true;
   const double driver = s.state.tools[kRight].threadCoordinate;   // [m]
   if (driver >= 0.0) e.place = hangingPlace(s, std::fmax(kClosest, kCloser * std::fabs(e.place - driver)));
   e.hand[kLeft].jaw = 1.0;                     // missed: once more, where thread is steadier

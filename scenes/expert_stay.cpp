@@ -20,7 +20,7 @@ constexpr double kOff = 0.1, kTractionReach = 0.08;   // [N] felt of thread that
 constexpr double kMostGiven = 0.02;            // [m] a tail that was taken too tight is let back
 constexpr double kFeelTime = 0.1, kFeel = 0.3; // [s] [N]
 constexpr double kPulled = 0.85, kHeld = 2.0;  // [1] of the tension that counts as it; [s]
-constexpr double kHooked = 30e-3, kShakeTime = 2.0;   // [m] of a needle from the driver's tips; [s]
+constexpr double kHooked = 30e-3, kLetGo = 0.3, kShakeTime = 2.0;   // [m] of a needle from the driver's tips; [s]
 constexpr double kAway = 30e-3, kTurnSpeed = 0.08;   // [m] up as the driver turns its tips down, [m/s]
 constexpr int kAttempts = 4;
 
@@ -46,7 +46,7 @@ bool wouldCutAnother(const Scene& s) {
   return i >= 0 && std::fabs(s.model.strand.place[i] - s.memory.place) > kSamePlace;
 }
 
-/// A needle that is cut off falls, or it hangs on the driver's jaws like a ring: there the next thing to be taken would find it.
+/// A needle may hang on the driver's jaws like a ring: there it is in the way of the next cut, and the next thing to be taken would be it.
 bool needleHangsOnDriver(const Scene& s) {
   const Vec3 needle = s.state.strand.needle.apply(s.model.strand.needleCentre);   // [m]
   return (needle - s.state.tools[kRight].proxy.position).norm() < kHooked;
@@ -58,6 +58,17 @@ void beginShake(const Scene& s) {
   const Vec3 up = -s.model.params.gravity.normalized();
   s.memory.goal[kRight] = {now.position + kAway * up, (Quat::FromTwoVectors(now.orientation * Vec3::UnitZ(), up) * now.orientation).normalized()};
   goTo(s, kShake);
+}
+
+/// The driver opens and rises, and is shaken where the needle hangs on it; true once it is away.
+bool leavesThread(const Scene& s) {
+  ExpertState& e = s.memory;
+  e.hand[kRight].jaw = 1.0;
+  if (s.inPhase < kLetGo) return false;
+  const bool there = moveHand(s, kRight, e.goal[kRight], kTurnSpeed), hangs = needleHangsOnDriver(s);
+  if (e.phase == kShake) return !hangs || s.inPhase > kShakeTime;
+  if (there && hangs) beginShake(s);
+  return there && !hangs;
 }
 
 /// Where the hand that holds the long end lifts it to.  [m]
@@ -99,17 +110,8 @@ bool runCut(const Scene& s, std::string& failure) {
     if (!another && !pickUp(s, kRight, grip, kOver)) return false;
     e.goal[kRight] = above(driver.command, 0.03);
     goTo(s, kUp);
-  } else if (e.phase == kShake) {
-    moveHand(s, kRight, e.goal[kRight], kTurnSpeed);
-    return s.inPhase > kShakeTime || !needleHangsOnDriver(s);
-  } else {
-    driver.jaw = 1.0;
-    if (s.inPhase < 0.3 || !moveHand(s, kRight, e.goal[kRight], 0.08)) return false;
-    if (s.state.knot.cuts > e.cutsBefore) {
-      if (!needleHangsOnDriver(s)) return true;
-      beginShake(s);
-      return false;
-    }
+  } else if (leavesThread(s)) {
+    if (s.state.knot.cuts > e.cutsBefore) return true;
     if (++e.attempt >= kAttempts) { failure = "the thread was not between the blades"; return false; }
     goTo(s, kOver);
     e.place = cutPlace(s);

@@ -90,5 +90,15 @@ TEST_F(Winding, TheTailIsTakenWhereNoOtherThreadLies) {
   EXPECT_GT(std::fabs(scenes::tailPlace(scene) - usual - 1e-3), 3e-3);
 }
 
+/// A turn round jaws that hold the needle would catch on it.
+TEST_F(Winding, JawsThatHaveClosedOnTheNeedleOpenBeforeATurnIsWound) {
+  runTo(scenes::kStand);
+  for (int k = 0; k < 400 && memory->phase == scenes::kStand; ++k) {
+    w.state.tools[kRight].holdsNeedle = w.state.tools[kRight].closed;
+    ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+  }
+  EXPECT_EQ(memory->phase, scenes::kUnwind);
+}
+
 }  // namespace
 }  // namespace halsted
