@@ -54,6 +54,27 @@ TEST(ExpertCut, TakesTheThreadByTheStitchWhereTheDriverHasItCloseToTheNeedle) {
   EXPECT_LT(w.state.tools[kLeft].threadCoordinate, place - 5e-3);
 }
 
+/// The hand closes on what the driver holds out to it and gets another turn of the thread: it lets go of that and tries again.
+TEST(ExpertCut, TheOtherHandLetsGoOfAnotherTurnOfTheThread) {
+  TiedWall w(withBlades());
+  holdThread(w, w.model.strand.length - 60e-3);
+  const scenes::ExpertScript script = scenes::parseExpert("scene = \"wall\"\n[[action]]\ndo = \"cut\"\nlimit_s = 30\n", "test");
+  const scenes::ExpertStatePtr memory = scenes::beginExpert(script, w.model);
+  double& held = w.state.tools[kLeft].threadCoordinate;          // [m]
+  while (!w.state.tools[kLeft].closed || held < 0.0) ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+  const double wanted = held;                  // [m]
+  bool opened = false;
+  for (int k = 0; k < 1000 && !opened; ++k) {
+    if (w.state.tools[kLeft].closed) held = wanted - 25e-3;
+    ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+    opened = !w.state.tools[kLeft].closed;
+  }
+  EXPECT_TRUE(opened);
+  while (w.advance(script, *memory)) {}
+  EXPECT_EQ(w.failure, "");
+  EXPECT_GT(w.state.knot.cuts, 0);
+}
+
 /// The needle goes round one of the driver's open jaws, in the fork between them, like a ring.
 void hookNeedle(TiedWall& w) {
   const StrandModel& m = w.model.strand;
