@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/tie_phases.h"
 #include "sim/contact/surface.h"
 #include "sim/portable_math.h"
 #include "sim/strand/strand.h"
@@ -20,7 +19,6 @@ constexpr double kWindRise = -kRise, kLeftRise = 0.7;   // [1] of the other hand
 constexpr double kUpJaws = 12e-3;              // [m] above the tips: where the thread goes round; what the jaws grip lies lower
 constexpr double kSlant = 0.05;                // [1] of the thread toward the tips: turns lie side by side; more, and the first slides off
 constexpr double kSlack = 6e-3;                // [m] kept in the long end so that the jaws can open inside the loop
-constexpr double kLead = 8e-3;                 // [m] toward the handle, of the hand that keeps a single turn on the jaws on their way back to the tail: they would draw out of it
 constexpr double kLoop = 2.3e-3;               // [m] radius of a turn about the jaws
 constexpr double kNearest = 6e-3, kFarthest = 35e-3;   // [m] of the winding hand from the driver
 constexpr double kPerTurn = 20e-3;             // [m] of the long end that a second turn takes
@@ -163,8 +161,7 @@ Pose windingPose(const Scene& s, const Vec3& driver, double swept) {   // [m], [
   const double down = -out.dot(k.up), room = (loop - stitch(s)).dot(k.up) - k.floor;   // [1], [m] under the driver
   if (down > kLevel && down * free > room) free = room / down;   // slack rather than caught on the edges
   const double distance = std::fmin(kFarthest, std::fmax(kNearest, free));   // [m]
-  const double lead = s.memory.phase >= kFollow && s.memory.phase <= kClose && turns(s) == 1 ? kLead : -kSlant * distance;   // [m]
-  return laid(s, kLeft, loop + distance * out + lead * shaft, {leftShaft(s, swept < wholeTurns(s) ? kWindRise : kLeftRise), k.side});
+  return laid(s, kLeft, loop + distance * (out - kSlant * shaft), {leftShaft(s, swept < wholeTurns(s) ? kWindRise : kLeftRise), k.side});
 }
 
 double detour(const Scene& s) {                // [m]
