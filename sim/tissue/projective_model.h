@@ -33,6 +33,10 @@ struct ProjectiveModel {
   std::vector<Panel> panels;                   // ascending columns
   std::vector<int> row;                        // four times the row of each entry, ascending within a panel
   std::vector<double> value;                   // [1] [row][column of the panel]; of its own columns only what lies below the diagonal counts
+  // Columns in an order for the way back, two at a time that do not need each other: one addition need not wait for the last.
+  struct Column { int index = 0, row = 0, value = 0, stride = 0, count = 0; };   // entries below the diagonal: where they begin
+  std::vector<std::array<Column, 2>> backward;     // the second is empty (index -1) where there is no other
+  std::vector<int> partEnd;                    // where in `backward` each part ends
   std::vector<double> inverseDiagonal;         // [m/N] of D
   std::vector<double> self;                    // [m/N] per particle: the diagonal of `inverse`
   std::vector<double> inverse;                 // [m/N] dense A^-1, row-major: the compliance seen by contacts
@@ -52,7 +56,7 @@ void buildProjective(TissueModel& model);
 
 inline constexpr int kPanelColumns = 4;        // what the kernel keeps in registers
 
-/// Lays out a factor given by columns (strictly lower part, rows ascending) in panels.
+/// Lays out a factor given by columns (strictly lower part, rows ascending): panels, and the order of the way back.
 struct FactorColumns {
   std::vector<int> start, row;                 // start: columns + 1
   std::vector<double> value;                   // [1]

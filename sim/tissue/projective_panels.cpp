@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 #include <span>
 
 #include "sim/tissue/projective_model.h"
@@ -28,20 +29,59 @@ void addPanel(const FactorColumns& f, int first, int width, ProjectiveModel& p) 
   p.panels.push_back(panel);
 }
 
-/// Which part of the tissue each panel belongs to: a tree of the elimination forest (Liu 1990), in which a column hangs on the first of its
-/// rows. The largest come first; each particle that is held is one by itself.
-void nameParts(const FactorColumns& f, ProjectiveModel& p) {
-  const int n = static_cast<int>(f.start.size()) - 1;
-  std::vector<int> root(n), size(n, 0), roots, part(n);
-  for (int j = n - 1; j >= 0; --j) {
+std::vector<ProjectiveModel::Column> columnsOf(const ProjectiveModel& p) {
+  std::vector<ProjectiveModel::Column> columns;
+  for (const auto& panel : p.panels)
+    for (int c = 0; c < panel.width; ++c)
+      columns.push_back({panel.first + c, panel.row + c + 1, panel.value + (c + 1) * panel.width + c, panel.width, panel.rows - c - 1});
+  return columns;
+}
+
+/// Elimination tree (Liu 1990): on the way back a column needs those of its rows, all of them above it.
+struct Forest {
+  std::vector<std::vector<int>> children;      // of each column
+  std::vector<int> chain;                      // entries from the column down to its farthest leaf
+  std::vector<int> roots;                      // one for each part of the tissue, the large ones first; what is held is a part by itself
+};
+
+Forest forestOf(const FactorColumns& f) {
+  const std::size_t n = f.start.size() - 1;
+  Forest t{std::vector<std::vector<int>>(n), std::vector<int>(n, 0), {}};
+  for (int j = 0; j < static_cast<int>(n); ++j) {
     const auto rows = rowsOf(f, j);
-    root[j] = rows.empty() ? j : root[rows[0]];
-    if (rows.empty()) roots.push_back(j);
-    ++size[root[j]];
+    t.chain[j] += static_cast<int>(rows.size()) + 1;
+    if (rows.empty()) { t.roots.push_back(j); continue; }
+    t.children[rows[0]].push_back(j);
+    t.chain[rows[0]] = std::max(t.chain[rows[0]], t.chain[j]);
   }
-  std::stable_sort(roots.begin(), roots.end(), [&](int a, int b) { return size[a] > size[b]; });
-  for (std::size_t k = 0; k < roots.size(); ++k) part[roots[k]] = std::min(static_cast<int>(k), ProjectiveModel::kMostParts - 1);
-  for (ProjectiveModel::Panel& panel : p.panels) panel.part = part[root[panel.first]];
+  std::stable_sort(t.roots.begin(), t.roots.end(), [&](int a, int b) { return t.chain[a] > t.chain[b]; });
+  return t;
+}
+
+/// Of the columns of one part whose turn may come the two go first that the longest chains wait for.
+void scheduleBackward(const Forest& t, int root, const std::vector<ProjectiveModel::Column>& columns, ProjectiveModel& p) {
+  std::set<std::array<int, 2>> ready{{t.chain[root], root}};           // longest chain last
+  while (!ready.empty()) {
+    std::array<ProjectiveModel::Column, 2> pair;
+    for (auto& column : pair) {
+      column.index = -1;
+      if (ready.empty()) continue;
+      column = columns[(*ready.rbegin())[1]];
+      ready.erase(std::prev(ready.end()));
+    }
+    for (const auto& column : pair)
+      if (column.index >= 0) for (int child : t.children[column.index]) ready.insert({t.chain[child], child});
+    p.backward.push_back(pair);
+  }
+}
+
+/// Which part each column belongs to.
+void nameParts(const Forest& t, ProjectiveModel& p) {
+  std::vector<int> part(t.children.size(), 0);
+  for (std::size_t k = 0; k < t.roots.size(); ++k) part[t.roots[k]] = std::min(static_cast<int>(k), ProjectiveModel::kMostParts - 1);
+  for (int j = static_cast<int>(part.size()) - 1; j >= 0; --j)         // parents come after their children
+    for (int child : t.children[j]) part[child] = part[j];
+  for (ProjectiveModel::Panel& panel : p.panels) panel.part = part[panel.first];
 }
 
 }  // namespace
@@ -54,7 +94,14 @@ void layOutFactor(const FactorColumns& f, ProjectiveModel& p) {
     addPanel(f, first, width, p);
     first += width;
   }
-  nameParts(f, p);
+  const Forest forest = forestOf(f);
+  nameParts(forest, p);
+  const auto columns = columnsOf(p);
+  for (std::size_t k = 0; k < forest.roots.size(); ++k) {
+    scheduleBackward(forest, forest.roots[k], columns, p);
+    if (static_cast<int>(k) < ProjectiveModel::kMostParts) p.partEnd.push_back(0);
+    p.partEnd.back() = static_cast<int>(p.backward.size());
+  }
 }
 
 }  // namespace halsted

@@ -165,30 +165,28 @@ template <int W> HALSTED_INLINE bool eliminate(const ProjectiveModel& p, const P
   return true;
 }
 
-/// The way back: a row is loaded once for all columns, which come last to first, as each needs those after it.
-template <int W> HALSTED_INLINE void substitute(const ProjectiveModel& p, const ProjectiveModel::Panel& panel, double* rows) {
-  const double* value = p.value.data() + panel.value;
-  const int* row = p.row.data() + panel.row;
-  double* own = rows + 4 * panel.first;
-  Lanes4 x[W];
-  for (int c = 0; c < W; ++c) x[c] = loadLanes<Lanes4>(own + 4 * c) * p.inverseDiagonal[panel.first + c];
-  for (int r = W; r < panel.rows; ++r) {
-    const Lanes4 known = loadLanes<Lanes4>(rows + row[r]);
-    for (int c = 0; c < W; ++c) x[c] = x[c] - value[r * W + c] * known;
-  }
-  for (int c = W - 1; c >= 0; --c) {
-    for (int r = c + 1; r < W; ++r) x[c] = x[c] - value[r * W + c] * x[r];
-    storeLanes(own + 4 * c, x[c]);
-  }
+HALSTED_INLINE Lanes4 entry(const ProjectiveModel& p, const ProjectiveModel::Column& c, int k, const double* rows) {   // [m] or [N]
+  return p.value[c.value + k * c.stride] * loadLanes<Lanes4>(rows + p.row[c.row + k]);
 }
 
-HALSTED_INLINE void substitutePanel(const ProjectiveModel& p, const ProjectiveModel::Panel& panel, double* rows) {
-  switch (panel.width) {
-    case 1: return substitute<1>(p, panel, rows);
-    case 2: return substitute<2>(p, panel, rows);
-    case 3: return substitute<3>(p, panel, rows);
-    default: return substitute<4>(p, panel, rows);
+HALSTED_INLINE void substitute(const ProjectiveModel& p, const ProjectiveModel::Column& a, const ProjectiveModel::Column& b, double* rows) {
+  double *left = rows + 4 * a.index, *right = rows + 4 * b.index;
+  Lanes4 x = loadLanes<Lanes4>(left) * p.inverseDiagonal[a.index], y = loadLanes<Lanes4>(right) * p.inverseDiagonal[b.index];
+  int k = 0;
+  for (const int both = a.count < b.count ? a.count : b.count; k < both; ++k) {
+    x = x - entry(p, a, k, rows);
+    y = y - entry(p, b, k, rows);
   }
+  for (int i = k; i < a.count; ++i) x = x - entry(p, a, i, rows);
+  for (int i = k; i < b.count; ++i) y = y - entry(p, b, i, rows);
+  storeLanes(left, x);
+  storeLanes(right, y);
+}
+
+HALSTED_INLINE void substitute(const ProjectiveModel& p, const ProjectiveModel::Column& a, double* rows) {
+  Lanes4 x = loadLanes<Lanes4>(rows + 4 * a.index) * p.inverseDiagonal[a.index];
+  for (int k = 0; k < a.count; ++k) x = x - entry(p, a, k, rows);
+  storeLanes(rows + 4 * a.index, x);
 }
 
 HALSTED_INLINE bool eliminatePanel(const ProjectiveModel& p, const ProjectiveModel::Panel& panel, double* rows) {
@@ -203,8 +201,15 @@ HALSTED_INLINE bool eliminatePanel(const ProjectiveModel& p, const ProjectiveMod
 HALSTED_INLINE void solveBody(const ProjectiveModel& p, double* rows) {
   bool pushed[ProjectiveModel::kMostParts] = {};
   for (const ProjectiveModel::Panel& panel : p.panels) pushed[panel.part] |= eliminatePanel(p, panel, rows);
-  for (auto panel = p.panels.rbegin(); panel != p.panels.rend(); ++panel)
-    if (pushed[panel->part]) substitutePanel(p, *panel, rows);         // nothing moves elsewhere
+  int pair = 0;
+  for (std::size_t part = 0; part < p.partEnd.size(); ++part) {
+    if (!pushed[part]) pair = p.partEnd[part];                         // nothing moves there
+    for (; pair < p.partEnd[part]; ++pair) {
+      const auto& columns = p.backward[pair];
+      if (columns[1].index >= 0) substitute(p, columns[0], columns[1], rows);
+      else substitute(p, columns[0], rows);
+    }
+  }
 }
 
 __attribute__((target("avx2"))) void solveWide(const ProjectiveModel& p, double* rows) { solveBody(p, rows); }

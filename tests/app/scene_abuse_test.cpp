@@ -18,7 +18,7 @@ namespace {
 constexpr int kAsk = 97;                       // steps: again and again a new thread is asked for, at bad moments mostly
 constexpr int kLook = 64;                      // steps between two looks at the thread
 constexpr int kAgain = 1000;                   // steps at the end that are done twice
-constexpr int kStill = 2000;                   // steps of still hands after all
+constexpr int kStill = 1000;                   // steps of still hands after all
 
 StepInput handsAsTheyAre(const State& s) {
   StepInput input;
@@ -133,7 +133,7 @@ TEST_P(WildHands, StayFiniteAndNothingIsFlung) {
               s.knot.breaks, broken_, deepest_.nodes, 1e3 * kDeep, deepest_.inTissue, 1e3 * deepest_.tissue, deepest_.inTool, 1e3 * deepest_.tool, deepest_.through);
   EXPECT_EQ(broken_, 0);
   EXPECT_LT(most_, 60.0);
-  EXPECT_LE(left, 1e-4);                       // [J] two seconds after the hands have come to rest: a fold of altemeier swings for one and a half
+  EXPECT_LE(left, 1e-4);                       // [J] a second after the hands have come to rest
   EXPECT_LE(deepest_.inTissue, deepest_.nodes / 50);
   EXPECT_LE(deepest_.inTool, deepest_.nodes / 1000);
   EXPECT_LE(liveliest_, 0.5 * mass * 1.6 * 1.6);   // all of it at 1.6 m/s, ten times as fast as the hands: the law of RandomHands

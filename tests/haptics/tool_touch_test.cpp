@@ -10,7 +10,7 @@ namespace halsted::haptics {
 namespace {
 
 constexpr double kCreated = 1e-4;              // [J] the most that a press-release cycle may create
-constexpr double kReplaced = 0.07;             // [N] the most that a new model may change the force: 0.063 where a flick pinches the foot, which a rounding moves
+constexpr double kReplaced = 0.05;             // [N] the most that a new model may change the force
 constexpr double kBuzz = 0.02;                 // [N] RMS above 30 Hz of a held contact
 
 SimParams softWall() {
