@@ -115,5 +115,7 @@ bool takeHanging(const Scene&, int first);
 Pose parked(int hand);
 /// Grip on the thread at a coordinate: from the surgeon's side, jaws opening across the thread, whichever way round is nearer.
 Pose threadGrip(const Scene&, int hand, double coordinate);   // [m]
+/// Distance of a place on the thread from all of it that lies farther than `near` along it.  [m]
+double fromOtherThread(const Scene&, double coordinate, double near);   // [m]
 
 }  // namespace halsted::scenes

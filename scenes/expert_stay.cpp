@@ -20,8 +20,9 @@ constexpr double kOff = 0.1, kTractionReach = 0.08;   // [N] felt of thread that
 constexpr double kMostGiven = 0.02;            // [m] a tail that was taken too tight is let back
 constexpr double kFeelTime = 0.1, kFeel = 0.3; // [s] [N]
 constexpr double kPulled = 0.85, kHeld = 2.0;  // [1] of the tension that counts as it; [s]
-constexpr double kHooked = 30e-3, kLetGo = 0.3, kShakeTime = 2.0;   // [m] of a needle from the driver's tips; [s]
-constexpr double kAway = 30e-3, kTurnSpeed = 0.08;   // [m] up as the driver turns its tips down, [m/s]
+constexpr double kRing = 10e-3, kBelow = 20e-3, kAbove = 30e-3;   // [m] of a needle's middle from the driver's shaft; from its tips
+constexpr double kLetGo = 0.3, kShakeTime = 2.0;   // [s]
+constexpr double kAway = 30e-3, kRiseSpeed = 0.08;   // [m] up as the driver turns its tips down, [m/s]
 constexpr int kAttempts = 4;
 
 enum CutPhase { kHang, kFree = kHang + kHangingPhases, kOver, kDown, kClose, kUp, kShake };
@@ -48,8 +49,8 @@ bool wouldCutAnother(const Scene& s) {
 
 /// A needle may hang on the driver's jaws like a ring: there it is in the way of the next cut, and the next thing to be taken would be it.
 bool needleHangsOnDriver(const Scene& s) {
-  const Vec3 needle = s.state.strand.needle.apply(s.model.strand.needleCentre);   // [m]
-  return (needle - s.state.tools[kRight].proxy.position).norm() < kHooked;
+  const Vec3 p = s.state.tools[kRight].proxy.inverseApply(s.state.strand.needle.apply(s.model.strand.needleCentre));   // [m]
+  return p.head<2>().norm() < kRing && p.z() > -kBelow && p.z() < kAbove;
 }
 
 /// The driver turns its tips to the ground, open, so that what hangs on them slides off.
@@ -65,7 +66,7 @@ bool leavesThread(const Scene& s) {
   ExpertState& e = s.memory;
   e.hand[kRight].jaw = 1.0;
   if (s.inPhase < kLetGo) return false;
-  const bool there = moveHand(s, kRight, e.goal[kRight], kTurnSpeed), hangs = needleHangsOnDriver(s);
+  const bool there = moveHand(s, kRight, e.goal[kRight], kRiseSpeed), hangs = needleHangsOnDriver(s);
   if (e.phase == kShake) return !hangs || s.inPhase > kShakeTime;
   if (there && hangs) beginShake(s);
   return there && !hangs;

@@ -33,12 +33,8 @@ const Vec3 kDrawWay = Vec3(0.5, 0.6, 0.6).normalized();          // [1] of the d
 /// Distance of a place on the thread from the wall and from the rest of the thread: jaws that close there take hold of nothing else.  [m]
 double clearance(const Scene& s, double coordinate) {
   const Vec3 p = strandPoint(s.model.strand, s.state.strand, coordinate);
-  double clear = (p - s.state.tissue.position[nearestVertex(s.model.surface, {s.state.tissue.position, s.state.tissue.gone}, p)]).norm();   // [m]
-  for (int i = 0; i < s.model.strand.nodes; ++i) {
-    if (std::fabs(s.model.strand.place[i] - coordinate) < kSamePlace) continue;
-    clear = std::fmin(clear, (p - s.state.strand.position[i]).norm());
-  }
-  return std::fmin(clear, kClear);
+  const double wall = (p - s.state.tissue.position[nearestVertex(s.model.surface, {s.state.tissue.position, s.state.tissue.gone}, p)]).norm();   // [m]
+  return std::fmin(kClear, std::fmin(wall, fromOtherThread(s, coordinate, kSamePlace)));
 }
 
 /// Where to take the thread that leaves the stitch at `stitch`, tail (`way` -1) or needle side (+1): clear, not far (or as far as the
@@ -89,6 +85,16 @@ double opening(const State& s, const Model& m) {
 }
 
 }  // namespace
+
+double fromOtherThread(const Scene& s, double coordinate, double near) {   // [m]
+  const Vec3 p = strandPoint(s.model.strand, s.state.strand, coordinate);
+  double least = 1e300;                        // [m]
+  for (int i = 0; i < s.model.strand.nodes; ++i) {
+    if (std::fabs(s.model.strand.place[i] - coordinate) < near) continue;
+    least = std::fmin(least, (p - s.state.strand.position[i]).norm());
+  }
+  return least;
+}
 
 Pose threadGrip(const Scene& s, int hand, double coordinate) {
   const Vec3 p = strandPoint(s.model.strand, s.state.strand, coordinate);

@@ -53,20 +53,23 @@ void goTo(const Scene& s, int phase) {
   s.memory.phaseStart = s.state.step;
 }
 
-/// The driver lets the tail go and rises.
-bool letTailGo(const Scene& s) {
+/// The driver goes back along its shaft; true once it is there.
+bool rise(const Scene& s) {
   ExpertState& e = s.memory;
   if (s.inPhase < 1.5 * s.dt) e.goal[kRight] = above(e.hand[kRight].command, 0.02);
-  e.hand[kRight].jaw = 1.0;
   return s.inPhase > 0.3 && moveHand(s, kRight, e.goal[kRight], kMove);
 }
 
-/// The driver leaves the loop along its shaft; opened inside one that is tight, its jaws would draw on the stitch.
+/// The driver lets the tail go and rises.
+bool letTailGo(const Scene& s) {
+  s.memory.hand[kRight].jaw = 1.0;
+  return rise(s);
+}
+
+/// The driver leaves the loop; opened inside one that is tight, its jaws would draw on the stitch.
 bool unwind(const Scene& s) {
-  ExpertState& e = s.memory;
-  if (s.inPhase < 1.5 * s.dt) e.goal[kRight] = above(e.hand[kRight].command, 0.02);
-  if (!jawsEmpty(s.state.tools[kRight])) e.hand[kRight].jaw = 1.0;
-  return s.inPhase > 0.3 && moveHand(s, kRight, e.goal[kRight], kMove);
+  if (!jawsEmpty(s.state.tools[kRight])) s.memory.hand[kRight].jaw = 1.0;
+  return rise(s);
 }
 
 bool runTie(const Scene& s, std::string& failure) {

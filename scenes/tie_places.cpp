@@ -90,21 +90,12 @@ Pose driverPose(const Scene& s, double back) {   // [m] along its shaft
 
 namespace {
 
-/// From a place on the tail to the thread that lies elsewhere: jaws that close there take hold of nothing else.  [m]
-double roomAbout(const Scene& s, double coordinate) {   // [m]
-  const Vec3 p = strandPoint(s.model.strand, strand(s), coordinate);
-  double room = kRoom;
-  for (int i = 0; i < s.model.strand.nodes; ++i)
-    if (std::fabs(s.model.strand.place[i] - coordinate) > kSamePlace) room = std::fmin(room, (p - strand(s).position[i]).norm());
-  return room;
-}
-
 /// Where the tail lies by itself, but not where it was missed the last time.  [m]
 double clearPlace(const Scene& s, double like) {   // [m]
   double best = like, most = -1.0;             // [m]
   for (double c = kFromEnd; c < 0.5 * tailHole(s).coordinate; c += 1e-3) {
     if (std::fabs(c - s.memory.knot.missed) < 0.5 * kElsewhere) continue;
-    const double room = roomAbout(s, c) - kFar * std::fabs(c - like);   // [m]
+    const double room = std::fmin(kRoom, fromOtherThread(s, c, kSamePlace)) - kFar * std::fabs(c - like);   // [m]
     if (room > most) { most = room; best = c; }
   }
   return best;
