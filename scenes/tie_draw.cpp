@@ -59,7 +59,7 @@ void drawThrough(const Scene& s) {
     if (!drawn) { moveHand(s, kLeft, keepTurn(s, kLeft, p + kOver * k.up - kBeyond * k.handle), kCareful); return; }
     drawOffTips(s);
   } else {
-    const double low = std::fmax(kLow, k.floor);   // [m]
+    const double low = s.state.cut ? std::fmax(kLow, k.floor) : kLow;   // [m] drawn along the wall, as ends that are drawn up lift the throw; but over cut edges
     const bool right = moveHand(s, kRight, keepTurn(s, kRight, p + kAside * k.side + low * k.up), kCareful);
     const bool left = moveHand(s, kLeft, keepTurn(s, kLeft, p - 2.0 * kAside * k.side + low * k.up), kMove);
     if (!right || !left) return;

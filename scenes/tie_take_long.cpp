@@ -29,14 +29,25 @@ bool isStraight(const Scene& s) {
   return (s.state.tools[kLeft].proxy.position - hole).norm() > kStraight * length || tailHole(s).coordinate < s.action.tail - kEnough;
 }
 
-bool wantsNearer(const Scene& s) { return holdsTooFar(s) && !needleClings(s) && s.memory.knot.misses < kAttempts; }
+bool hasLong(const Scene& s) { return s.state.tools[kLeft].threadCoordinate > longHole(s).coordinate; }
+
+/// The driver is to take the long end first: the winding hand has it too far out, or opens to be free of the needle.
+bool wantsNearer(const Scene& s) {
+  return hasLong(s) && (holdsTooFar(s) || needleClings(s)) && s.memory.knot.misses < kAttempts;
+}
+
+/// Where it takes it.  [m]
+double nearerPlace(const Scene& s) {           // [m]
+  const double place = hasLong(s) ? std::fmin(s.state.tools[kLeft].threadCoordinate, longPlace(s)) : longPlace(s);   // [m]
+  return place - kHanging;
+}
 
 }  // namespace
 
 /// Let fall, the long end would lie across the tail, and a throw come about that nobody meant.
 void takeNearer(const Scene& s) {
   ExpertState& e = s.memory;
-  if (!pickUp(s, kRight, threadGrip(s, kRight, longPlace(s) - kHanging), kNearer)) return;
+  if (!pickUp(s, kRight, threadGrip(s, kRight, nearerPlace(s)), kNearer)) return;
   if (!driverHoldsLong(s)) ++e.knot.misses;
   e.goal[kRight] = above(e.hand[kRight].command, 0.02);
   goTo(s, driverHoldsLong(s) ? kLiftIt : kFreeDriver);

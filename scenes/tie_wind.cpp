@@ -51,10 +51,15 @@ bool windAgain(const Scene& s) {
   return true;
 }
 
+/// The driver is to stand nearer to the stitch, but not on it.
+void standLower(const Scene& s) {
+  if (mayStandLower(s)) s.memory.knot.lower += kCareful * s.dt;
+}
+
 /// Has the driver come to where it was sent? Where its device stops short of that, it is sent nearer to the stitch.
 bool withinReach(const Scene& s) {
   const bool behind = (s.memory.hand[kRight].command.position - s.state.tools[kRight].proxy.position).norm() > kShort;
-  if (behind) s.memory.knot.lower += kCareful * s.dt;
+  if (behind) standLower(s);
   return !behind;
 }
 
@@ -88,7 +93,7 @@ void wind(const Scene& s) {
   } else if (e.phase == kWind) {
     giveWay(s, kSnug);
     if (isLoose(s)) k.swept = std::fmin(wholeTurns(s), k.swept + kWindSpeed * s.dt);
-    else k.lower += kCareful * s.dt;           // thread is shorter than was thought, and the hand that gives way as near to the jaws as it gets
+    else standLower(s);                        // thread is shorter than was thought, and the hand that gives way as near to the jaws as it gets
     moveHand(s, kRight, driverPose(s, 0.0), kCareful);
     const Pose hand = windingPose(s, e.hand[kRight].command.position, k.swept);
     if (moveHand(s, kLeft, hand, 0.25) && k.swept >= wholeTurns(s)) goTo(s, kFollow);

@@ -112,6 +112,27 @@ TEST(InstrumentTie, AnEndHeldTooFarOutComesNearerAndNeverFalls) {
   EXPECT_LT(most, 1.0) << "what lies between the hands is drawn taut as one of them rises";
 }
 
+/// A needle that was cut off clings to the jaws that have the long end: they open, but only when the driver has that.
+TEST(InstrumentTie, AHandThatFreesItselfOfTheNeedleLetsNoThreadFall) {
+  TiedWall w;
+  const scenes::ExpertScript script = scenes::parseExpert("scene = \"wall\"\n[[action]]\ndo = \"tie\"\ntie = \"1\"\nlimit_s = 20\n", "test");
+  const scenes::ExpertStatePtr before = scenes::beginExpert(script, w.model), memory = scenes::beginExpert(script, w.model);
+  const auto held = [&](int hand) { return w.state.tools[hand].threadCoordinate - w.state.strand.holes[1].coordinate; };   // [m] from the stitch
+  for (int k = 0; k < 12000 && held(kLeft) < 0.0; ++k) ASSERT_TRUE(w.advance(script, *before)) << w.failure;
+  ASSERT_GT(held(kLeft), 0.0);
+  w.state.threadContacts.cut.assign(w.model.strand.nodes, 0);
+  w.state.threadContacts.cut[threadSpot(w.model.strand, w.state.tools[kLeft].threadCoordinate + 8e-3).node] = 1;
+  bool opened = false;
+  for (int k = 0; k < 12000 && !(opened && held(kLeft) > 0.0 && held(kRight) < 0.0); ++k) {
+    if (!opened) w.state.strand.needle.position += w.state.tools[kLeft].proxy.position - w.state.strand.needle.apply(w.model.strand.needleCentre);
+    ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+    ASSERT_TRUE(held(kLeft) > 0.0 || held(kRight) > 0.0) << "let fall after " << k << " steps";
+    opened = opened || held(kLeft) < 0.0;
+  }
+  EXPECT_TRUE(opened);
+  EXPECT_GT(held(kLeft), 0.0);
+}
+
 /// The other hand misses what hangs from the driver: each time it tries nearer to the jaws, where thread is steadier.
 TEST(InstrumentTie, AHandThatMissesTheHangingThreadTriesNearerToTheJaws) {
   TiedWall w;

@@ -63,6 +63,16 @@ TEST_F(Winding, TheDriverComesDownWhereTheThreadIsShorterThanWasThought) {
   EXPECT_LT(height(), before - 5e-3);
 }
 
+/// However short the thread, the driver does not go for it into the wall.
+TEST_F(Winding, TheDriverComesNoLowerThanTheStitch) {
+  runTo(scenes::kWind);
+  const scenes::Scene scene{w.model, w.state, *memory, script.actions[0], 1e-3, 0.0};
+  feel(0.5, 4000);
+  ASSERT_EQ(memory->phase, scenes::kWind);
+  const double clear = (memory->hand[kRight].command.position - scenes::stitch(scene)).dot(memory->knot.up);   // [m]
+  EXPECT_GT(clear, 3e-3);                      // its tips hang lower than where it is wound
+}
+
 /// Jaws that go on, or open, in a tight loop draw on the stitch: the driver waits; at last it leaves the loop closed, and goes for the tail
 /// nearer to the stitch the next time.
 TEST_F(Winding, JawsWaitInATightLoopAndLeaveItClosed) {
@@ -88,6 +98,21 @@ TEST_F(Winding, TheTailIsTakenWhereNoOtherThreadLies) {
   w.state.strand.position[w.model.strand.nodes - 5] = strandPoint(w.model.strand, w.state.strand, usual + 1e-3);
   memory->knot.beside = 2;
   EXPECT_GT(std::fabs(scenes::tailPlace(scene) - usual - 1e-3), 3e-3);
+}
+
+/// Of a piece that was cut off short the hand has the long end where it has nearly all of it: let go for more, that would fall.
+TEST_F(Winding, AShortPieceIsHeldAllTheSame) {
+  runTo(scenes::kLiftLong);
+  scenes::ExpertAction longer = script.actions[0];
+  longer.longEnd = 100e-3;
+  const scenes::Scene scene{w.model, w.state, *memory, longer, 1e-3, 0.0};
+  double& held = w.state.tools[kLeft].threadCoordinate;          // [m]
+  held = scenes::longHole(scene).coordinate + 0.55 * longer.longEnd;
+  w.state.threadContacts.cut.assign(w.model.strand.nodes, 0);
+  w.state.threadContacts.cut[threadSpot(w.model.strand, held + 6e-3).node] = 1;
+  EXPECT_TRUE(scenes::holdsLong(scene));
+  held = scenes::longHole(scene).coordinate + 20e-3;
+  EXPECT_FALSE(scenes::holdsLong(scene));
 }
 
 /// A turn round jaws that hold the needle would catch on it.
