@@ -20,8 +20,9 @@ constexpr double kOff = 0.1, kTractionReach = 0.08;   // [N] felt of thread that
 constexpr double kMostGiven = 0.02;            // [m] a tail that was taken too tight is let back
 constexpr double kFeelTime = 0.1, kFeel = 0.3; // [s] [N]
 constexpr double kPulled = 0.85, kHeld = 2.0;  // [1] of the tension that counts as it; [s]
-constexpr double kRing = 10e-3, kBelow = 20e-3, kAbove = 30e-3;   // [m] of a needle's middle from the driver's shaft; from its tips
-constexpr double kLetGo = 0.3, kShakeTime = 2.0;   // [s]
+constexpr double kRing = 10e-3, kBelow = 8e-3, kAbove = 30e-3;   // [m] of a needle's middle from the driver's shaft; from its tips
+constexpr double kLetGo = 0.3, kShakeTime = 4.0, kBeat = 0.1;   // [s] of one way of a shake
+constexpr double kSwing = 15e-3, kShakeSpeed = 0.3;   // [m] [m/s]
 constexpr double kAway = 30e-3, kRiseSpeed = 0.08;   // [m] up as the driver turns its tips down, [m/s]
 constexpr int kAttempts = 4;
 
@@ -61,13 +62,22 @@ void beginShake(const Scene& s) {
   goTo(s, kShake);
 }
 
+/// Up and down, so that the needle jumps from where friction would let it creep.
+bool shake(const Scene& s) {
+  Pose to = s.memory.goal[kRight];
+  const bool back = static_cast<int>(s.inPhase / kBeat) % 2 != 0;
+  if (back) to.position += kSwing * s.model.params.gravity.normalized();
+  moveHand(s, kRight, to, kShakeSpeed);
+  return !needleHangsOnDriver(s) || s.inPhase > kShakeTime;
+}
+
 /// The driver opens and rises, and is shaken where the needle hangs on it; true once it is away.
 bool leavesThread(const Scene& s) {
   ExpertState& e = s.memory;
   e.hand[kRight].jaw = 1.0;
   if (s.inPhase < kLetGo) return false;
+  if (e.phase == kShake) return shake(s);
   const bool there = moveHand(s, kRight, e.goal[kRight], kRiseSpeed), hangs = needleHangsOnDriver(s);
-  if (e.phase == kShake) return !hangs || s.inPhase > kShakeTime;
   if (there && hangs) beginShake(s);
   return there && !hangs;
 }

@@ -90,26 +90,50 @@ void hookNeedle(TiedWall& w) {
   s.needleVelocity = s.needleSpin = Vec3::Zero();
 }
 
-TEST(ExpertCut, ShakesOffTheNeedleThatHasCaughtOnItsJaws) {
+/// The needle lies beside the driver, farther off than its own radius.
+void layNeedleBeside(TiedWall& w) {
+  StrandState& s = w.state.strand;
+  s.needle.position += w.state.tools[kRight].proxy.apply(Vec3(20e-3, 0.0, 0.0)) - s.needle.apply(w.model.strand.needleCentre);
+  s.needleVelocity = s.needleSpin = Vec3::Zero();
+}
+
+SimParams gravityAcross() {
   SimParams p = withBlades();
   p.gravity = Vec3(0.0, -9.81, 0.0);           // across the driver as it cuts
-  TiedWall w(p);
+  return p;
+}
+
+/// Cuts; from when the driver is nearly up again the needle is put where `put` wants it, until the driver has turned its tips to the ground.
+/// True if it has.
+bool turnsTipsDown(TiedWall& w, void (*put)(TiedWall&)) {
   const scenes::ExpertScript script = scenes::parseExpert("scene = \"wall\"\n" + drawAndCut(w, 24), "test");
   const scenes::ExpertStatePtr memory = scenes::beginExpert(script, w.model);
   double low = 0.0;                            // [m] the driver as it cuts
-  bool hooked = false;
+  bool turned = false, placed = false;
   while (w.advance(script, *memory)) {
-    const double height = w.state.tools[kRight].proxy.position.z();   // [m]
-    if (w.state.knot.cuts == 0) low = height;
-    if (hooked || height < low + 28e-3) continue;                // it is nearly up again
-    hookNeedle(w);
-    hooked = true;
+    const Pose& driver = w.state.tools[kRight].proxy;
+    if (w.state.knot.cuts == 0) low = driver.position.z();
+    if (driver.position.z() < low + 28e-3 && !placed) continue;
+    turned = turned || (driver.orientation * Vec3::UnitZ()).y() > 0.9;
+    if (!turned) put(w);
+    placed = true;
   }
   EXPECT_EQ(w.failure, "");
-  EXPECT_TRUE(hooked);
-  for (int k = 0; k < 100; ++k) w.step();      // what has come off falls
+  EXPECT_TRUE(placed);
+  return turned;
+}
+
+TEST(ExpertCut, ShakesOffTheNeedleThatHasCaughtOnItsJaws) {
+  TiedWall w(gravityAcross());
+  EXPECT_TRUE(turnsTipsDown(w, hookNeedle));
+  ASSERT_TRUE(w.act("[[action]]\ndo = \"let_go\"\nlimit_s = 10\n")) << w.failure;   // and up, without it
   const Vec3 needle = w.state.strand.needle.apply(w.model.strand.needleCentre);   // [m]
   EXPECT_GT((needle - w.state.tools[kRight].proxy.position).norm(), 30e-3);
+}
+
+TEST(ExpertCut, IsNotShakenOfANeedleThatOnlyLiesNear) {
+  TiedWall w(gravityAcross());
+  EXPECT_FALSE(turnsTipsDown(w, layNeedleBeside));
 }
 
 /// The first segment of the tail across the driver's blades, where they are open, for as long as this lives.
