@@ -21,7 +21,7 @@ bool begin(const Scene& s, std::string& failure) {
   k.side = f.side;
   k.up = f.up;
   k.handle = f.front;
-  k.floor = overEdges(s);
+  k.floor = overTissue(s);
   for (int h = 0; h < kHands; ++h) s.memory.goal[h] = above(s.memory.hand[h].command, 0.02);
   goTo(s, driverHoldsLong(s) ? kLiftIt : s.state.tools[kRight].closed ? kFreeDriver : kFreeLong);
   return true;

@@ -27,7 +27,7 @@ constexpr double kJaws = 30e-3;                // [m] of the driver that may hav
 constexpr double kAbout = 25e-3, kOverTissue = 6e-3;   // [m] of tissue about the stitch; of the winding hand above it
 constexpr double kLevel = 1e-6;                // [1] of the way down; less is rounding of whole turns
 constexpr double kCling = 20e-3;               // [m] from the jaws; a needle that is cut off falls half a metre meanwhile
-constexpr double kEnough = 0.6;                // [1] of the way to where the long end is to be taken
+constexpr double kMostOfIt = 0.6;              // [1] of the way to where the long end is to be taken
 constexpr double kFromEnd = 5e-3;              // [m] of tail beyond the jaws
 constexpr double kLongTail = 40e-3, kBeyondGrip = 0.25;   // [m] of tail; of one that is longer [1]
 constexpr double kSamePlace = 12e-3, kRoom = 8e-3, kFar = 0.1;   // [m] along the thread; no better with more; [1] room that one would give up to be nearer to where one would like to
@@ -74,7 +74,7 @@ Vec3 stitch(const Scene& s) {
   return 0.5 * (holePoint(s.model, tailHole(s), x) + holePoint(s.model, longHole(s), x));
 }
 
-double overEdges(const Scene& s) {             // [m]
+double overTissue(const Scene& s) {             // [m]
   const Vec3 from = stitch(s);
   double high = 0.0;                           // [m]
   for (int v : s.model.surface.vertices) {
@@ -127,7 +127,7 @@ double longPlace(const Scene& s) {             // [m]
 bool holdsLong(const Scene& s) {
   const double c = s.state.tools[kLeft].threadCoordinate;   // [m]
   const double from = longHole(s).coordinate;  // [m]
-  return c > from + kEnough * (longPlace(s) - from) && c < std::fmin(from + 1.2 * longEnd(s), threadEnd(s.model, s.state, from));
+  return c > from + kMostOfIt * (longPlace(s) - from) && c < std::fmin(from + 1.2 * longEnd(s), threadEnd(s.model, s.state, from));
 }
 bool holdsTooFar(const Scene& s) { return !holdsLong(s) && s.state.tools[kLeft].threadCoordinate > longPlace(s); }
 bool needleClings(const Scene& s) {

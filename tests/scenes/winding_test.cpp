@@ -1,6 +1,8 @@
 /// The hand that winds the long end round the driver, and the loop that it keeps there (scenes/tie_places.h, tie_wind.cpp).
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "scenes/expert_state.h"
 #include "scenes/tie_phases.h"
 #include "scenes/tie_places.h"
@@ -52,6 +54,21 @@ TEST_F(Winding, AFloorKeepsTheHandAboveTheEdges) {
   };
   const double low = height(-1.0);             // [m]
   EXPECT_NEAR(height(low + 3e-3), low + 3e-3, 1e-3);
+}
+
+/// Where nothing is cut, too: it would press on the wall and catch on the stitch.
+TEST_F(Winding, TheHandStaysAboveTheTissueAsItGoesUnderTheDriver) {
+  script = scenes::parseExpert("scene = \"wall\"\n[[action]]\ndo = \"tie\"\ntie = \"2\"\nlong_end_mm = 40\nlimit_s = 60\n", "test");   // a low driver
+  memory = scenes::beginExpert(script, w.model);
+  runTo(scenes::kWind);
+  const Vec3 up = memory->knot.up;
+  double low = 1.0, top = -1.0;                // [m] of the hand, of the wall
+  while (memory->phase == scenes::kWind) {
+    ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+    low = std::min(low, memory->hand[kLeft].command.position.dot(up));
+  }
+  for (const Vec3& x : w.state.tissue.position) top = std::max(top, x.dot(up));
+  EXPECT_GT(low, top);
 }
 
 /// A hand that gives way and still feels its thread is as near to the jaws as it gets: the driver comes down to the stitch.
