@@ -55,6 +55,7 @@ struct ExpertAction {
 /// `stitch_at_deg = [0, 20, -20]` in a file: its actions (those after the last "change_tools", if there is one) are done once for each, the number added to every angle_deg of the left (or only)
 /// bowel and taken from that of the right one, which is seen from its other side: 0 is where the actions themselves say.
 /// `stitch_at_deg = { knot = [0, 20, -20], none = [0, 20] }`: other places, or another order, at each level of assistance.
+/// No further one is set once the procedure is completed: the last places may be for stitches that tear out after they were tied.
 /// `again_deg = [4, -4]`: a stitch that cannot be finished (a bite that does not come out, a throw that is lost too often, thread that leaves the tissue) is taken out and set anew with a
 /// fresh thread, so far from its place, as often as there are numbers; without the key the script ends there.
 struct ExpertScript {

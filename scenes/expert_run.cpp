@@ -45,12 +45,24 @@ void begin(const State& state, ExpertState& e) {
 
 bool sameStitch(const ExpertAction& a, const ExpertAction& b) { return a.stitch >= 0 && a.stitch == b.stitch; }
 
-/// What follows an action that is done: not another attempt at its stitch.
-std::size_t after(const ExpertScript& script, std::size_t done) {
-  const ExpertAction& last = script.actions[done];
-  std::size_t next = done + 1;
+/// Is the procedure completed? One without steps never is.
+bool completed(const Scene& s) {
+  const std::size_t steps = s.model.procedure.size();
+  return steps > 0 && static_cast<std::size_t>(s.state.procedure.current) == steps;
+}
+
+/// Does the next stitch begin with this action, which follows `last`? With the asking for its thread.
+bool beginsStitch(const ExpertAction& action, const ExpertAction& last) {
+  return last.stitch >= 0 && (!sameStitch(action, last) || action.kind == "fresh_thread");
+}
+
+/// What follows an action that is done: not another attempt at its stitch, and no further stitch once the procedure is completed.
+std::size_t after(const ExpertScript& script, const Scene& s) {
+  const ExpertAction& last = script.actions[s.memory.action];
+  std::size_t next = s.memory.action + 1;
   while (next < script.actions.size() && sameStitch(script.actions[next], last) && script.actions[next].attempt != last.attempt) ++next;
-  return next;
+  const bool enough = next < script.actions.size() && beginsStitch(script.actions[next], last) && completed(s);
+  return enough ? script.actions.size() : next;
 }
 
 /// What follows one that cannot be done: the next attempt at its stitch, or nothing.
@@ -157,7 +169,7 @@ bool advanceExpert(const ExpertScript& script, const Model& model, const State& 
       failure = "line " + std::to_string(action.line) + ": " + action.kind + ": " + (why.empty() ? "ran out of time in phase " + std::to_string(e.phase) : why);
       goOn(state, insteadOf(script, e.action), e);
     } else if (finished) {
-      goOn(state, after(script, e.action), e);
+      goOn(state, after(script, scene), e);
     }
   }
   for (int h = 0; h < kHands; ++h) targets[h] = look(e.hand[h], state.tools[h].proxy, model.params.dt);

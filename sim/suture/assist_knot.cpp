@@ -18,6 +18,7 @@ constexpr int kSamples = 48;                   // along the tails
 constexpr double kCrossedFor = 0.05;           // [s]
 constexpr double kFirm = 0.5;                  // [N] more tension than this in the loop than in the hand: it is tight, the knot runs no farther
 constexpr double kTight = 0.3;                 // [N] the same where it only remains to be seen: a knot that has run as far as it goes hovers about kFirm
+constexpr double kYields = 2.0;                // [N] more tension than this in the loop: a throw that is not locked yet lets thread back into it
 constexpr double kRun = 0.03;                  // [m/s] down to the tissue
 constexpr double kClose = 0.05;                // [m/s] the two strands come together
 constexpr double kSeatSlack = 2e-3;            // [m] of thread in the loop beyond the straight way from hole to hole
@@ -152,7 +153,20 @@ void lock(const State& s, AssistKnot& k, StepOutput& out) {
   pushEvent(out, {s.step, EventKind::kThrowTied, -1, ++k.locks, 0.0});
 }
 
-/// Toward the tissue, and with it the two sides together, by the hands' draw. It does not run back.
+/// Thread goes through it where one side pulls more than so much harder than the other. Returns how much.  [N] [m]
+double giveWay(const Model& m, const State& s, double most, AssistKnot& k) {
+  const auto past = [&](int i) { return k.felt[i] > most ? k.felt[i] - most : (k.felt[i] < -most ? k.felt[i] + most : 0.0); };
+  const double scale = kSlipPerNewton * m.params.dt;             // [m/N]
+  const double tail = std::min(k.tail + scale * past(0), tailLimit(s));
+  const double tip = std::max(k.tip - scale * past(1), tipLimit(s));
+  const double slipped = magnitude(tail - k.tail) + magnitude(tip - k.tip);   // [m]
+  k.tail = tail;
+  k.tip = tip;
+  return slipped;
+}
+
+/// Toward the tissue, and with it the two sides together, by the hands' draw. It runs back only where the loop is far tighter than they draw:
+/// what springs apart or is let down would be locked in so tight that it tears the thread out.
 void run(const Model& m, State& s, AssistKnot& k, StepOutput& out) {
   const HeldTails held = heldTails(s);
   const double dt = m.params.dt, least = m.params.thread.assistTension;   // [s], [N]
@@ -166,6 +180,7 @@ void run(const Model& m, State& s, AssistKnot& k, StepOutput& out) {
   const double slack = slackOf(m, s, k), step = drawing ? kRun * dt : 0.0;   // [m]
   if (k.felt[0] > -kFirm) k.tail = std::min(k.tail + step, tailLimit(s));
   if (k.felt[1] > -kFirm) k.tip = std::max(k.tip - step, tipLimit(s));
+  giveWay(m, s, kYields, k);
   // It lies on the tissue where the loop is as short as the way straight across, or where it is tight: over a ridge it is longer.
   const bool tight = k.felt[0] < -kTight && k.felt[1] < -kTight;
   // Hands that give way take the tension off it: what it was while it was drawn counts, or over a ridge it would never lock.
@@ -173,16 +188,7 @@ void run(const Model& m, State& s, AssistKnot& k, StepOutput& out) {
 }
 
 /// A locked knot holds up to its force, then thread goes through it.
-void slip(const Model& m, State& s, AssistKnot& k) {
-  const double most = m.params.thread.assistHolding;             // [N]
-  const auto past = [&](int i) { return k.felt[i] > most ? k.felt[i] - most : (k.felt[i] < -most ? k.felt[i] + most : 0.0); };
-  const double scale = kSlipPerNewton * m.params.dt;             // [m/N]
-  const double tail = std::min(k.tail + scale * past(0), tailLimit(s));
-  const double tip = std::max(k.tip - scale * past(1), tipLimit(s));
-  k.slipped += magnitude(tail - k.tail) + magnitude(tip - k.tip);
-  k.tail = tail;
-  k.tip = tip;
-}
+void slip(const Model& m, State& s, AssistKnot& k) { k.slipped += giveWay(m, s, m.params.thread.assistHolding, k); }
 
 /// Is there still thread on both sides of what it holds?
 bool exists(const Model& m, const State& s, const AssistKnot& k) {

@@ -4,8 +4,8 @@
 ///
 /// When both hands hold the two tails of the stitch, these have gone at least half round each other between the tissue and the hands,
 /// and both are drawn past a tension, a knot is placed where they cross: the two strands are held to each other there by a spring in the
-/// strand's own solve. While both hands draw, it runs down to the tissue and draws the two sides together; it does not run back. Once it
-/// lies on the tissue and is no longer drawn, it locks; letting go of a tail before it lies there undoes it.
+/// strand's own solve. While both hands draw, it runs down to the tissue and draws the two sides together; it runs back only where the
+/// tissue pulls far harder than they do. Once it lies on the tissue and is no longer drawn, it locks; letting go of a tail before it lies there undoes it.
 /// A locked knot holds a difference of tension of `thread.assist_holding` in either strand; pulled past that, it slips. Thread does not
 /// go back through the tissue past the knot. When it locks, the event is that of a throw of no turns: none was tied. Physics thread; no heap.
 #include <cstdint>

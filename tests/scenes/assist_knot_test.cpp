@@ -92,6 +92,28 @@ TEST(AssistKnot, RunsDownWhileCrossedTailsAreDrawnAndLocksWhenTheyAreNot) {
   EXPECT_LT(between.norm(), 4.0 * stitch.model.strand.radius);
 }
 
+/// What the tissue pulls at a throw that is only just placed, where it springs apart or is let down by the hands, runs back through it: kept, it would
+/// be locked into the loop and tear the thread out.
+TEST(AssistKnot, LetsThreadBackIntoALoopThatIsFarTighterThanTheHandsDraw) {
+  constexpr double kShorter = 4e-3, kMost = 2.2;   // [m], [N]
+  HeldStitch stitch(true);
+  stitch.cross();
+  stitch.draw(1.5);
+  AssistKnot& k = *stitch.state.assist;
+  ASSERT_TRUE(k.placed && !k.locked);
+  k.tail += kShorter;
+  k.tip -= kShorter;
+  double tightest = 0.0;                       // [N] more in the loop than in the hand
+  for (int i = 0; i < 600; ++i) {
+    k.seated = 0.0;                            // not locked meanwhile
+    stitch.draw(0.6, 1);
+    tightest = std::max(tightest, -std::max(k.felt[0], k.felt[1]));
+  }
+  ASSERT_TRUE(k.placed && !k.locked);
+  EXPECT_GT(tightest, kMost);
+  EXPECT_GT(std::min(k.felt[0], k.felt[1]), -kMost);
+}
+
 TEST(AssistKnot, ComesUndoneWhenATailIsLetGoBeforeItLocks) {
   HeldStitch stitch(true);
   stitch.cross();

@@ -14,9 +14,9 @@ class LostStitch : public ::testing::Test {
   std::vector<std::string> failures;
 
   /// To the script's end, within a minute of virtual time.
-  void run(const std::string& keys) {
+  void run(const std::string& keys, const std::string& actions = "[[action]]\ndo = \"tie\"\ntie = \"1=1\"\n") {
     constexpr int kSteps = 60000;
-    const auto script = scenes::parseExpert("scene = \"stay\"\n" + keys + "[[action]]\ndo = \"tie\"\ntie = \"1=1\"\n", "test");
+    const auto script = scenes::parseExpert("scene = \"stay\"\n" + keys + actions, "test");
     const scenes::ExpertStatePtr surgeon = scenes::beginExpert(script, ends.model);
     std::array<HandTarget, kHands> hands;
     ends.letGo();
@@ -50,6 +50,20 @@ TEST_F(LostStitch, EndsAScriptThatDoesNotSayWhereElse) {
   run("stitch_at_deg = [0]\n");
   ASSERT_EQ(failures.size(), 1u);
   EXPECT_EQ(ends.state.strand.holeCount, 2);
+}
+
+/// A script may name more places than the procedure asks for stitches, for those that tear out after they were tied.
+TEST_F(LostStitch, IsMadeGoodAtAFurtherPlaceOnlyWhileTheProcedureGoesOn) {
+  ends.model.procedure.resize(1);
+  ends.model.procedure.front().done = {Quantity::kStitches, 1.0};
+  for (const bool completed : {true, false}) {
+    ends.state.procedure.current = completed ? 1 : 0;
+    const std::uint64_t start = ends.state.step;
+    run("stitch_at_deg = [0, 20]\n", "[[action]]\ndo = \"hold\"\nlimit_s = 2\n");
+    const double took = static_cast<double>(ends.state.step - start) * ends.model.params.dt;   // [s]
+    EXPECT_NEAR(took, completed ? 3.0 : 5.0, 0.01);              // a second of letting go, and each stitch takes two
+  }
+  EXPECT_TRUE(failures.empty()) << failures.front();
 }
 
 }  // namespace
