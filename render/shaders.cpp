@@ -219,7 +219,8 @@ void main() {
   vec4 detail = texture(uSurface, vUv);
   vec3 n = normalize(vNormal), v = normalize(uEye - vPosition);
   float height = detail.b * vSurface.g * 0.0011;
-  vec3 film = bumped(n, vPosition, height, 0.55);           // fluid fills the finest dents: broad, wet lights
+  float filled = texture(uSurface, vUv, 0.7).b * vSurface.g * 0.0011;
+  vec3 film = bumped(n, vPosition, filled, 0.55);           // fluid fills the finest dents, which would glitter: broad, wet lights
   n = bumped(n, vPosition, height, 1.0);
 
   float lit = texture(uShadow, vShadow);
@@ -246,7 +247,8 @@ void main() {
   back *= back; back *= back; back *= back; back *= back; back *= back; back *= back;   // power 64: the headlight's glints
   vec3 seen = mirrored(uReflection, film, v);
   c += gloss * ((1.9 * s + 0.13 * broad) * lit + 0.55 * back * sky + ((0.10 + 0.45 * grazing) * seen + 2.2 * seen * seen) * sky * (0.35 + 0.65 * lit));
-  color = vec4(sqrt(c), 1.0);
+  vec3 glare = max(c - 0.7, 0.0);                           // rolls off toward white as film does
+  color = vec4(sqrt(min(c, 0.7) + glare / (1.0 + glare / 0.3)), 1.0);
 })";
 
 const char* const kHoleFragment = R"(
