@@ -11,7 +11,7 @@
 namespace halsted::app {
 namespace {
 
-constexpr int kLook = 8;                       // steps between two looks at the elastic energy, which takes as long as a step
+constexpr int kLook = 32;                      // steps between two looks at the elastic energy, which takes as long as ten
 
 /// Of a force on the tissue at a point of it, by the motion of the tool's point that lies there.  [m] [N] [J]
 double workAt(const Pose& before, const Pose& after, const Vec3& point, const Vec3& force) {

@@ -59,9 +59,9 @@ TEST_F(LostStitch, IsMadeGoodAtAFurtherPlaceOnlyWhileTheProcedureGoesOn) {
   for (const bool completed : {true, false}) {
     ends.state.procedure.current = completed ? 1 : 0;
     const std::uint64_t start = ends.state.step;
-    run("stitch_at_deg = [0, 20]\n", "[[action]]\ndo = \"hold\"\nlimit_s = 2\n");
+    run("stitch_at_deg = [0, 20]\n", "[[action]]\ndo = \"hold\"\nlimit_s = 0.5\n");
     const double took = static_cast<double>(ends.state.step - start) * ends.model.params.dt;   // [s]
-    EXPECT_NEAR(took, completed ? 3.0 : 5.0, 0.01);              // a second of letting go, and each stitch takes two
+    EXPECT_NEAR(took, completed ? 1.5 : 2.0, 0.01);              // a second of letting go, and each stitch takes half of one
   }
   EXPECT_TRUE(failures.empty()) << failures.front();
 }
