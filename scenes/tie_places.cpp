@@ -74,7 +74,7 @@ Vec3 stitch(const Scene& s) {
   return 0.5 * (holePoint(s.model, tailHole(s), x) + holePoint(s.model, longHole(s), x));
 }
 
-double overTissue(const Scene& s) {             // [m]
+double overTissue(const Scene& s) {            // [m]
   const Vec3 from = stitch(s);
   double high = 0.0;                           // [m]
   for (int v : s.model.surface.vertices) {

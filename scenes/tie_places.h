@@ -14,7 +14,7 @@ const Hole& longHole(const Scene&);
 /// Middle between the two places where the ends leave the tissue.
 Vec3 stitch(const Scene&);                     // [m]
 /// Clear of the tissue about the stitch: so high above it.
-double overTissue(const Scene&);                // [m]
+double overTissue(const Scene&);               // [m]
 /// Is there room under the driver, where it is wound?
 bool mayStandLower(const Scene&);
 /// The driver's shaft, from the tips to the handle.

@@ -1,4 +1,4 @@
-/// Every scene, and hands that do anything: the step stays finite and bounded, no contact creates energy, little of the thread sinks into tissue and
+/// Every scene, and hands that do anything: the step stays finite and bounded, contacts create little energy, little of the thread sinks into tissue and
 /// tools, and the same hands bring about the same bits again. How often thread goes right through a wall is counted and printed: it does, over an edge (README). From
 /// the scene's start and from the middle of its script, with thread in the walls or a pen under current. 2000 steps a case, or as many as
 /// HALSTED_ABUSE_STEPS says.
@@ -95,6 +95,7 @@ class WildHands : public ::testing::TestWithParam<Case> {
     const HandNoise hands = hands_;
     const StepInput input = input_;
     const int asked = asked_;
+    const EnergyAudit audit = audit_;
     drive(steps);
     const std::uint64_t once = hash(run_.state());
     std::string error;
@@ -102,6 +103,7 @@ class WildHands : public ::testing::TestWithParam<Case> {
     hands_ = hands;
     input_ = input;
     asked_ = asked;
+    audit_ = audit;
     drive(steps);
     EXPECT_EQ(hash(run_.state()), once);
   }
@@ -141,7 +143,7 @@ TEST_P(WildHands, StayFiniteAndNothingIsFlung) {
   EXPECT_LE(deepest_.inTissue, deepest_.nodes / 50);
   EXPECT_LE(deepest_.inTool, deepest_.nodes / 1000);
   // A shaft driven into the fold of a prolapse is wrapped in it: pushed from all sides, that tissue quivers (README).
-  EXPECT_LE(audit_.created(), std::string(GetParam().scene) == "altemeier" ? 0.1 : 5e-3);   // [J] at a time
+  EXPECT_LE(audit_.created(), std::string(GetParam().scene) == "altemeier" ? 0.08 : 5e-3);   // [J] at a time
   EXPECT_LE(liveliest_, 0.5 * mass * 1.6 * 1.6);   // all of it at 1.6 m/s, ten times as fast as the hands: the law of RandomHands
 }
 
