@@ -59,6 +59,14 @@ struct NearPairs {
   std::vector<Vec3> place;                     // [m] the surface's vertices at the last search through the cells
 };
 
+/// Used by sim/contact: a surface vertex over a triangle.
+struct PairGap {
+  bool near = false;                             // to be watched
+  double height = 0.0;                           // [m] of the vertex over the triangle's plane
+  std::array<double, 3> weight{};                // [1] the triangle's point nearest to the vertex
+  Vec3 normal = Vec3::UnitZ();                   // [1] outward
+};
+
 /// Used by sim/contact: the surface's vertices in a grid of cells, and the pairs of the triangles whose turn it is as the last round
 /// left them.
 struct SelfWork {
@@ -73,6 +81,9 @@ struct SelfWork {
   int count = 0;
   std::array<std::int32_t, TissueState::kMaxPairs> vertex{}, triangle{};
   std::array<double, TissueState::kMaxPairs> force{};   // [N]
+  int touching = 0;                            // pairs that may push in this sweep: which, and how they stand
+  std::array<std::int32_t, TissueState::kMaxPairs> pair{};
+  std::array<PairGap, TissueState::kMaxPairs> gap;
   std::vector<double> give;                    // [1] contacts that push each particle, then [m/N] how far it goes when all do
 };
 

@@ -20,13 +20,6 @@ inline constexpr double kPairBehind = 1.0e-3;    // [m] half a wall: deeper, the
 inline constexpr double kPairAside = 0.5e-3;     // [m] and no farther than this from the triangle within its plane
 inline constexpr double kPairDrift = 0.4e-3;     // [m] a list of near pairs holds while every vertex is this near to where it was
 
-struct PairGap {
-  bool near = false;                             // to be watched
-  double height = 0.0;                           // [m] of the vertex over the triangle's plane
-  std::array<double, 3> weight{};                // [1] the triangle's point nearest to the vertex
-  Vec3 normal = Vec3::UnitZ();                   // [1] outward
-};
-
 PairGap pairGap(const Model&, const SurfaceNow&, int vertex, int triangle);
 
 /// False where contact has nothing to do: neighbours on the surface, which elasticity keeps apart, what is held in place altogether, and

@@ -50,18 +50,25 @@ RodGap rodGap(const Model& m, const TissueState& t, int vertex) {
   return g;
 }
 
-/// How many contacts push each particle: one for its own, a weight for each triangle of which it is a corner.
-bool gatherLoads(const Model& m, const State& s, std::vector<double>& load) {
-  const TissueState& t = s.tissue;
-  std::fill(load.begin(), load.end(), 0.0);
-  bool any = false;
+void findTouching(const Model& m, const TissueState& t, SelfWork& w) {
+  w.touching = 0;
   for (int i = 0; i < t.pairCount; ++i) {
     if (apart(m, t, i)) continue;
-    const PairGap g = pairGap(m, {t.position, t.gone}, t.pairVertex[i], t.pairTriangle[i]);
-    load[t.pairVertex[i]] += 1.0;
-    for (int k = 0; k < 3; ++k) load[m.surface.triangles[t.pairTriangle[i]][k]] += g.weight[k];
-    any = true;
+    w.pair[w.touching] = i;
+    w.gap[w.touching++] = pairGap(m, {t.position, t.gone}, t.pairVertex[i], t.pairTriangle[i]);
   }
+}
+
+/// How many contacts push each particle: one for its own, a weight for each triangle of which it is a corner.
+bool gatherLoads(const Model& m, const State& s, const SelfWork& w, std::vector<double>& load) {
+  const TissueState& t = s.tissue;
+  std::fill(load.begin(), load.end(), 0.0);
+  for (int n = 0; n < w.touching; ++n) {
+    const int i = w.pair[n];
+    load[t.pairVertex[i]] += 1.0;
+    for (int k = 0; k < 3; ++k) load[m.surface.triangles[t.pairTriangle[i]][k]] += w.gap[n].weight[k];
+  }
+  bool any = w.touching > 0;
   if (!(m.params.anvil.radius > 0.0)) return any;
   for (int v : m.surface.vertices) {
     if ((s.cut && !s.cut->bare[v]) || !rodGap(m, t, v).touches) continue;
@@ -86,11 +93,11 @@ void answerLoads(const Model& m, TissueWork& w, std::vector<double>& load) {
 
 void solvePairs(const Model& m, State& s) {
   TissueState& t = s.tissue;
-  const std::vector<double>& give = s.work.self.give;
-  for (int i = 0; i < t.pairCount; ++i) {
-    if (apart(m, t, i)) continue;
-    const int vertex = t.pairVertex[i], triangle = t.pairTriangle[i];
-    const PairGap g = pairGap(m, {t.position, t.gone}, vertex, triangle);
+  const SelfWork& w = s.work.self;
+  const std::vector<double>& give = w.give;
+  for (int n = 0; n < w.touching; ++n) {
+    const int i = w.pair[n], vertex = t.pairVertex[i], triangle = t.pairTriangle[i];
+    const PairGap& g = w.gap[n];
     const auto& v = m.surface.triangles[triangle];
     const double both = give[vertex] + g.weight[0] * give[v[0]] + g.weight[1] * give[v[1]] + g.weight[2] * give[v[2]] + kLeastGive;   // [m/N]
     const double before = t.pairForce[i];
@@ -130,7 +137,8 @@ int tissueContactInterval(const Model& m) { return m.tissue.solver == TissueSolv
 void solveTissueContact(const Model& m, State& s) {
   searchPairs(m, s);
   if (s.step % static_cast<unsigned>(tissueContactInterval(m)) != 0) return;
-  if (!gatherLoads(m, s, s.work.self.give)) return;
+  findTouching(m, s.tissue, s.work.self);
+  if (!gatherLoads(m, s, s.work.self, s.work.self.give)) return;
   answerLoads(m, s.work.tissue, s.work.self.give);
   solvePairs(m, s);
   solveRod(m, s);

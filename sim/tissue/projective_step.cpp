@@ -116,16 +116,8 @@ template <typename L> HALSTED_INLINE void localGroup(const LocalData& d) {
   storeForce<L>(d.force + 9 * kLanes, f3);
 }
 
-LocalData groupData(const TissueModel& m, TissueState& s, TissueWork& w, int g) {
-  const ProjectiveModel& p = m.projective;
-  LocalData d;
-  d.position = s.position[0].data();
-  d.vertex = &p.laneVertex[g * 4 * kLanes];
-  d.restInverse = &p.laneRestInverse[g * 9 * kLanes];
-  d.volume = &p.laneVolume[g * kLanes];
-  d.quaternion = s.rotation[g * kLanes].coeffs().data();
-  d.pressure = &s.pressure[g * kLanes];
-  d.force = &w.scratch[g * 12 * kLanes];
+LocalData materialData(const TissueModel& m) {
+  LocalData d{};
   d.mu = m.material.mu;
   d.lambda = m.material.lambda;
   d.stiffening = m.material.stiffening;
@@ -134,12 +126,24 @@ LocalData groupData(const TissueModel& m, TissueState& s, TissueWork& w, int g) 
   return d;
 }
 
-__attribute__((target("avx2"))) void localStepWide(const TissueModel& m, TissueState& s, TissueWork& w) {
-  for (int g = 0; g < m.projective.groups; ++g) localGroup<Lanes4>(groupData(m, s, w, g));
+LocalData groupData(LocalData d, const ProjectiveModel& p, TissueState& s, TissueWork& w, int g) {
+  d.position = s.position[0].data();
+  d.vertex = &p.laneVertex[g * 4 * kLanes];
+  d.restInverse = &p.laneRestInverse[g * 9 * kLanes];
+  d.volume = &p.laneVolume[g * kLanes];
+  d.quaternion = s.rotation[g * kLanes].coeffs().data();
+  d.pressure = &s.pressure[g * kLanes];
+  d.force = &w.scratch[g * 12 * kLanes];
+  return d;
 }
-void localStep(const TissueModel& m, TissueState& s, TissueWork& w) {
-  for (int g = 0; g < m.projective.groups; ++g) localGroup<Lanes4>(groupData(m, s, w, g));
+
+HALSTED_INLINE void localBody(const TissueModel& m, TissueState& s, TissueWork& w) {
+  const LocalData material = materialData(m);
+  for (int g = 0; g < m.projective.groups; ++g) localGroup<Lanes4>(groupData(material, m.projective, s, w, g));
 }
+
+__attribute__((target("avx2"))) void localStepWide(const TissueModel& m, TissueState& s, TissueWork& w) { localBody(m, s, w); }
+void localStep(const TissueModel& m, TissueState& s, TissueWork& w) { localBody(m, s, w); }
 
 /// Rows are (x, y, z, 0): four lanes, of which three carry a right-hand side. A target sees its columns in ascending order, as when
 /// they come one by one. A push at a few points leaves most panels with nothing to pass on: false.
