@@ -1,6 +1,7 @@
 #include "tests/app/energy_audit.h"
 
 #include <algorithm>
+#include <span>
 
 #include "sim/suture/holes.h"
 #include "sim/suture/strand_contacts.h"
@@ -13,20 +14,27 @@ namespace {
 
 constexpr int kLook = 32;                      // steps between two looks at the elastic energy, which takes as long as ten
 
-/// Of a force on the tissue at a point of it, by the motion of the tool's point that lies there.  [m] [N] [J]
-double workAt(const Pose& before, const Pose& after, const Vec3& point, const Vec3& force) {
-  const Vec3 local = after.orientation.conjugate() * (point - after.position);
-  return force.dot(point - before.apply(local));
-}
+/// A tool has no mass: when what held it lets go it springs to where the hand is in one step, past all it touched, and forces at the end of
+/// that way do not tell the work done on it.
+constexpr double kFollowed = 1e-3;             // [m] in a step, as far as contacts are looked for
 
-Vec3 pointAt(const Model& m, const State& s, int triangle, const std::array<double, 3>& weight) {   // [1]
-  return pointOn(m.surface, s.tissue.position, triangle, weight);
-}
+/// Of a force on the tissue at a point of it, by the motion of the tool's point that lies there; by the tissue's own where the tool sprang.
+struct Work {
+  const Model& m;
+  const State& s;
+  std::span<const Vec3> position;              // [m] of the tissue before the step
+  Pose before, after;                          // of the tool
+  double of(int triangle, const std::array<double, 3>& weight, const Vec3& force) const {   // [1] [N] [J]
+    const Vec3 point = pointOn(m.surface, s.tissue.position, triangle, weight), local = after.orientation.conjugate() * (point - after.position);
+    const bool sprang = (after.position - before.position).squaredNorm() > kFollowed * kFollowed;
+    return force.dot(point - (sprang ? pointOn(m.surface, position, triangle, weight) : before.apply(local)));
+  }
+};
 
-double workOfTool(const Model& m, const State& s, const ToolState& t, const Pose& before) {   // [J]
+double workOfTool(const Work& work, const ToolState& t) {   // [J]
   double sum = 0.0;                            // [J]
-  for (int i = 0; i < t.contactCount; ++i) sum += workAt(before, t.proxy, pointAt(m, s, t.contactTriangle[i], t.contactWeight[i]), t.contactForce[i]);
-  for (int i = 0; i < t.graspCount; ++i) sum += workAt(before, t.proxy, pointAt(m, s, t.graspTriangle[i], t.graspWeight[i]), t.graspForce[i]);
+  for (int i = 0; i < t.contactCount; ++i) sum += work.of(t.contactTriangle[i], t.contactWeight[i], t.contactForce[i]);
+  for (int i = 0; i < t.graspCount; ++i) sum += work.of(t.graspTriangle[i], t.graspWeight[i], t.graspForce[i]);
   return sum;
 }
 
@@ -43,7 +51,7 @@ void EnergyAudit::after(const Model& m, const State& s) {
   gatherStitchForces(m, s, force_);
   gatherContactForces(m, s.strand, force_);
   for (std::size_t i = 0; i < position_.size(); ++i) work_ += (force_[i] + m.tissue.mass[i] * m.params.gravity).dot(s.tissue.position[i] - position_[i]);
-  for (int hand = 0; hand < kHands; ++hand) work_ += workOfTool(m, s, s.tools[hand], tool_[hand]);
+  for (int hand = 0; hand < kHands; ++hand) work_ += workOfTool({m, s, position_, tool_[hand], s.tools[hand].proxy}, s.tools[hand]);
   if (++sinceLook_ < kLook) return;
   sinceLook_ = 0;
   const double energy = kineticEnergy(m, s) + elasticEnergy(m.tissue, s.tissue), balance = energy - work_;   // [J]
