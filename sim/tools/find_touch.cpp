@@ -89,23 +89,6 @@ using Continued = std::array<bool, ToolState::kMaxContacts>;
 /// give: what is found deep inside (jaws that opened there, a face that came nearer than another) must not be flung out in a step.
 constexpr double kRecover = 0.1e-3;            // [m] a step
 
-/// Where tissue is wrapped round a tool its contacts push against each other and nothing can come out. To go on pushing is work that no
-/// hand does, in every step: it shook the tissue (up to 64 mJ at a time). So what is inside stays there while they cancel this much.
-constexpr double kWrapping = 5.0, kWrapped = 8.0;   // [N] from where on less is taken back, and nothing
-
-/// How much of a penetration is taken back, by what the forces of the tool's contacts cancel of each other.  [m]
-double recovered(const ToolState& t) {
-  Vec3 sum = Vec3::Zero();                     // [N]
-  double all = 0.0;                            // [N]
-  for (int i = 0; i < t.contactCount; ++i) {
-    sum += t.contactForce[i];
-    all += t.contactForce[i].norm();
-  }
-  const double cancelled = all - sum.norm();   // [N]
-  if (cancelled <= kWrapping) return kRecover;
-  return kRecover * std::fmax(0.0, kWrapped - cancelled) / (kWrapped - kWrapping);
-}
-
 /// A contact is found where the step begins, where tool and tissue do not overlap; their motion in the step carries its gap on. Found where
 /// inertia alone takes the tissue, inside the tool when the tissue quivers, its normal would jump from step to step and keep up the quiver.
 void moveOn(const Model& m, const Pose& before, const State& s, TouchPoint& p) {
@@ -117,7 +100,7 @@ void moveOn(const Model& m, const Pose& before, const State& s, TouchPoint& p) {
 }
 
 /// Carries the force of the last step over when the same triangle was touched; friction needs how far the tissue slid.
-void carryOver(const State& s, double back, Continued& continued, TouchPoint& p) {   // [m] of its penetration to take back
+void carryOver(const State& s, Continued& continued, TouchPoint& p) {
   const ToolState& t = s.tools[p.hand];
   for (int i = 0; i < t.contactCount; ++i) {
     if (continued[i] || t.contactTriangle[i] != p.triangle) continue;
@@ -128,7 +111,7 @@ void carryOver(const State& s, double back, Continued& continued, TouchPoint& p)
   }
   const double apart = p.slide.dot(p.normal);  // [m]
   p.slide -= apart * p.normal;
-  p.gap = std::fmax(p.gap, std::fmin(apart, 0.0) - back);
+  p.gap = std::fmax(p.gap, std::fmin(apart, 0.0) - kRecover);
 }
 
 /// Contacts of the last step that were not found again: their force goes, and the tissue's answer to that belongs to this solve.
@@ -222,8 +205,7 @@ void findContacts(const Model& m, int hand, const Pose& before, State& s) {
     }
   }
   Continued continued{};
-  const double taken = recovered(t);           // [m]
-  for (int i = first; i < w.count; ++i) carryOver(s, taken, continued, w.point[i]);
+  for (int i = first; i < w.count; ++i) carryOver(s, continued, w.point[i]);
   addGone(hand, continued, s);
 }
 
