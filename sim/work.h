@@ -61,10 +61,10 @@ struct NearPairs {
 
 /// Used by sim/contact: a surface vertex over a triangle.
 struct PairGap {
-  bool near = false;                             // to be watched
-  double height = 0.0;                           // [m] of the vertex over the triangle's plane
-  std::array<double, 3> weight{};                // [1] the triangle's point nearest to the vertex
-  Vec3 normal = Vec3::UnitZ();                   // [1] outward
+  bool near = false;                           // to be watched
+  double height = 0.0;                         // [m] of the vertex over the triangle's plane
+  std::array<double, 3> weight{};              // [1] the triangle's point nearest to the vertex
+  Vec3 normal = Vec3::UnitZ();                 // [1] outward
 };
 
 /// Used by sim/contact: the surface's vertices in a grid of cells, and the pairs of the triangles whose turn it is as the last round

@@ -50,6 +50,7 @@ RodGap rodGap(const Model& m, const TissueState& t, int vertex) {
   return g;
 }
 
+/// Pairs that may push, and how they stand: no position moves before `solvePairs` is done with them.
 void findTouching(const Model& m, const TissueState& t, SelfWork& w) {
   w.touching = 0;
   for (int i = 0; i < t.pairCount; ++i) {
@@ -60,8 +61,10 @@ void findTouching(const Model& m, const TissueState& t, SelfWork& w) {
 }
 
 /// How many contacts push each particle: one for its own, a weight for each triangle of which it is a corner.
-bool gatherLoads(const Model& m, const State& s, const SelfWork& w, std::vector<double>& load) {
+bool gatherLoads(const Model& m, State& s) {
   const TissueState& t = s.tissue;
+  const SelfWork& w = s.work.self;
+  std::vector<double>& load = s.work.self.give;
   std::fill(load.begin(), load.end(), 0.0);
   for (int n = 0; n < w.touching; ++n) {
     const int i = w.pair[n];
@@ -138,7 +141,7 @@ void solveTissueContact(const Model& m, State& s) {
   searchPairs(m, s);
   if (s.step % static_cast<unsigned>(tissueContactInterval(m)) != 0) return;
   findTouching(m, s.tissue, s.work.self);
-  if (!gatherLoads(m, s, s.work.self, s.work.self.give)) return;
+  if (!gatherLoads(m, s)) return;
   answerLoads(m, s.work.tissue, s.work.self.give);
   solvePairs(m, s);
   solveRod(m, s);

@@ -9,6 +9,7 @@ namespace halsted::app {
 
 /// Motion and elasticity of the tissue against the work done on it. A tool's work is reckoned by the motion of the tool, not of the tissue that it
 /// touches, and that of tissue against tissue not at all: what a contact adds of its own is created. Dissipation only lowers the balance.
+/// Not seen: what contacts add in a step in which the tool springs farther than a millimetre, where the tissue's own motion counts.
 class EnergyAudit {
  public:
   void before(const State&);
