@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "app/fault_log.h"
 #include "app/scenario.h"
 #include "app/surgeons.h"
 #include "app/timing.h"
@@ -25,6 +26,7 @@ class Lockstep {
   const StepOutput& output() const { return output_; }
   const Hands& hands() const { return hands_; }
   const Durations& stepTimes() const { return stepTimes_; }
+  const FaultLog& faults() const { return faults_; }
   const std::string& failure() const { return surgeons_.failure(); }
   const std::vector<std::string>& lostStitches() const { return surgeons_.lost(); }   // why each was set anew
   std::uint64_t recordedHash() const { return recordedHash_; }   // of the state after this step, from the recording
@@ -40,6 +42,7 @@ class Lockstep {
   Hands hands_;
   Surgeons surgeons_;
   Durations stepTimes_;
+  FaultLog faults_;
   std::uint64_t ticks_ = 0, recordedHash_ = 0;
   bool busy_ = true;
 };

@@ -106,6 +106,7 @@ int play(const PlayOptions& options, const WatcherMaker& makeWatcher) {
   const double wall = runThrough(options, run, audience);        // [s]
   if (audience.recorder) finishRecording(*audience.recorder, run);
   RunSummary summary = summariseRun(scenario.scene.name, scenario.scene.title, scenario.model, run.state(), run.stepTimes(), wall);
+  summary.faults = run.faults().lines(scenario.model);
   for (const auto& row : summarise(testOutcome(scenario.model, run.state()))) summary.metrics.push_back(row);
   if (!options.report.empty()) writeReport(options.report, summary, audience.trace);
   std::fputs((options.json ? jsonOf(summary, "") : textOf(summary)).c_str(), stdout);

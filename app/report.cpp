@@ -32,10 +32,14 @@ std::string escaped(const std::string& text) {
 
 std::string procedureTable(const RunSummary& run) {
   std::string html = "<table><tr><th>step</th><th>instruction</th><th>outcome</th><th>finished</th><th>faults</th></tr>";
-  for (const ProcedureLine& line : run.procedure) {
+  for (std::size_t row = 0; row < run.procedure.size(); ++row) {
+    const ProcedureLine& line = run.procedure[row];
     html += "<tr><td>" + escaped(line.id) + "</td><td>" + escaped(line.instruction) + "</td><td class=" + (line.done ? "ok>done" : "open>open") +
             "</td><td class=n>" + (line.done ? number("%.2f s", line.time) : "") + "</td><td class=\"n" + (line.faults ? " bad" : "") + "\">" +
-            std::to_string(line.faults) + "</td></tr>";
+            std::to_string(line.faults);
+    for (const FaultLine& fault : run.faults)
+      if (fault.row == static_cast<int>(row)) html += number("<br>%.2f s ", fault.time) + escaped(fault.name);
+    html += "</td></tr>";
   }
   return html + "</table>";
 }

@@ -50,11 +50,14 @@ std::string textOf(const RunSummary& run) {
   std::string text = run.title + " (" + run.scene + "): " + (run.completed ? "completed" : "not completed") + " in " +
                      number("%.2f s", static_cast<double>(run.steps) * run.dt) + " simulated\n";
   if (run.assist != "none") text += "  with assistance: " + run.assist + " (knots are placed and held, not tied by friction)\n";
-  for (const ProcedureLine& line : run.procedure) {
+  for (std::size_t row = 0; row < run.procedure.size(); ++row) {
+    const ProcedureLine& line = run.procedure[row];
     text += line.done ? "  done  " : "  open  ";
     text += line.id + (line.done ? number("  at %.2f s", line.time) : "");
     if (line.faults > 0) text += "  faults: " + std::to_string(line.faults);
     text += "\n";
+    for (const FaultLine& fault : run.faults)
+      if (fault.row == static_cast<int>(row)) text += number("          fault at %.2f s: ", fault.time) + fault.name + "\n";
   }
   for (const auto& [name, value] : run.metrics) text += "  " + name + " " + number("%.6g", value) + "\n";
   text += "  state " + hexadecimal(run.stateHash) + " after " + std::to_string(run.steps) + " steps of " + number("%g ms", run.dt * 1e3) + "\n";
@@ -73,6 +76,8 @@ std::string jsonOf(const RunSummary& run, const std::string& extra) {
   json["procedure"] = Json::array();
   for (const ProcedureLine& line : run.procedure)
     json["procedure"].push_back({{"id", line.id}, {"done", line.done}, {"time_s", line.time}, {"faults", line.faults}});
+  json["faults"] = Json::array();
+  for (const FaultLine& fault : run.faults) json["faults"].push_back({{"step", run.procedure[fault.row].id}, {"name", fault.name}, {"time_s", fault.time}});
   json["metrics"] = Json::object();
   for (const auto& [name, value] : run.metrics) json["metrics"][name] = value;
   json["state_hash"] = hexadecimal(run.stateHash);

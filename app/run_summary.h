@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/fault_log.h"
 #include "app/timing.h"
 #include "sim/model.h"
 #include "sim/state.h"
@@ -25,13 +26,14 @@ struct RunSummary {
   std::uint64_t steps = 0;
   bool completed = false;
   std::vector<ProcedureLine> procedure;
+  std::vector<FaultLine> faults;               // in the order in which they began
   std::vector<std::pair<std::string, double>> metrics;           // name with its unit, value [in that unit]
   std::uint64_t stateHash = 0;
   Percentiles stepMilliseconds;
   double realtimeFactor = 0.0;                 // [1] simulated time / wall-clock time
 };
 
-/// `wall` is the time that the run took.
+/// `wall` is the time that the run took. Faults are counted, not named: the caller has kept the log of them.
 RunSummary summariseRun(const std::string& scene, const std::string& title, const Model&, const State&, const Durations& steps,
                         double wall);          // [s]
 std::string hexadecimal(std::uint64_t);

@@ -169,8 +169,9 @@ int train(const TrainOptions& options) {
   else waitHeadless(options, scenario, session);
   const LiveOutcome& outcome = session.stop();
 
-  const RunSummary summary = summariseRun(scenario.scene.name, scenario.scene.title, scenario.model, session.state(),
+  RunSummary summary = summariseRun(scenario.scene.name, scenario.scene.title, scenario.model, session.state(),
                                           outcome.physics.stepTimes, watch.seconds());
+  summary.faults = outcome.physics.faults.lines(scenario.model);
   std::fputs((options.json ? jsonOf(summary, liveMembers(outcome)) : textOf(summary) + liveText(outcome)).c_str(), stdout);
   for (const std::string& why : outcome.physics.lostStitches) std::fprintf(stderr, "halsted: script: %s; the stitch was taken out and set anew\n", why.c_str());
   if (!outcome.physics.failure.empty()) std::fprintf(stderr, "halsted: script: %s\n", outcome.physics.failure.c_str());

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/fault_log.h"
 #include "app/scenario.h"
 #include "app/threads/links.h"
 #include "app/timing.h"
@@ -15,6 +16,7 @@ struct PhysicsOutcome {
   double seconds = 0.0;                        // [s] from first to last step
   Durations stepTimes;
   std::string failure;                         // of a script; empty: none
+  FaultLog faults;                             // of the procedure
   std::vector<std::string> lostStitches;       // why a script set them anew
   bool realtime = false;
 };

@@ -36,7 +36,7 @@ TEST(Train, HeadlessRunsReportsAndReplays) {
       run(trainCommand({"--seconds", "2", "--json", "--left", script, "--right", script, "--record", folder.file("a.halsted")}));
   ASSERT_EQ(result.exitCode, 0) << result.errors;
   const auto json = nlohmann::json::parse(result.output);
-  for (const char* key : {"scene", "dt_s", "steps", "completed", "procedure", "metrics", "state_hash", "timing"}) EXPECT_TRUE(json.contains(key)) << key;
+  for (const char* key : {"scene", "dt_s", "steps", "completed", "procedure", "faults", "metrics", "state_hash", "timing"}) EXPECT_TRUE(json.contains(key)) << key;
   for (const char* key : {"rate_hz", "lateness_us", "bare_lateness_us", "max_force_n", "stale_ticks"}) EXPECT_TRUE(json["haptic"].contains(key)) << key;
   for (const char* key : {"rate_hz", "late_steps"}) EXPECT_TRUE(json["physics"].contains(key)) << key;
   for (const char* key : {"fps", "start_up_s", "frame_ms"}) EXPECT_TRUE(json["render"].contains(key)) << key;
