@@ -170,7 +170,7 @@ int train(const TrainOptions& options) {
   const LiveOutcome& outcome = session.stop();
 
   RunSummary summary = summariseRun(scenario.scene.name, scenario.scene.title, scenario.model, session.state(),
-                                          outcome.physics.stepTimes, watch.seconds());
+                                    outcome.physics.stepTimes, watch.seconds());
   summary.faults = outcome.physics.faults.lines(scenario.model);
   std::fputs((options.json ? jsonOf(summary, liveMembers(outcome)) : textOf(summary) + liveText(outcome)).c_str(), stdout);
   for (const std::string& why : outcome.physics.lostStitches) std::fprintf(stderr, "halsted: script: %s; the stitch was taken out and set anew\n", why.c_str());
