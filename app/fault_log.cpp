@@ -1,28 +1,20 @@
 #include "app/fault_log.h"
 
-#include "app/run_summary.h"
+#include "app/event_text.h"
 
 namespace halsted::app {
 
-void FaultLog::add(const State& s, double dt) {   // [s]
-  const ProcedureState& p = s.procedure;
-  for (int row = 0; row < kMaxProcedureSteps; ++row) {
-    for (; seen_[row] < p.faults[row]; ++seen_[row]) {
-      const bool tooSlow = p.late && !late_;
-      late_ = late_ || tooSlow;                // one that begins in the same step is the other kind
-      if (count_ < kMost) begun_[count_++] = {row, tooSlow, static_cast<double>(s.step) * dt};
-    }
+void FaultLog::add(const StepOutput& output, double dt) {   // [s]
+  for (int i = 0; i < output.eventCount && count_ < kMost; ++i) {
+    const Event& event = output.events[i];
+    if (event.kind == EventKind::kFault || event.kind == EventKind::kStepLate)
+      begun_[count_++] = {event.index, event.kind, static_cast<double>(event.step) * dt};
   }
-  late_ = p.late;
 }
 
 std::vector<FaultLine> FaultLog::lines(const Model& m) const {
   std::vector<FaultLine> lines;
-  for (int i = 0; i < count_; ++i) {
-    const Begun& b = begun_[i];
-    const ProcedureStep& step = m.procedure[b.row];
-    lines.push_back({b.row, b.tooSlow ? number("took longer than %g s", step.limit) : step.faultName, b.time});
-  }
+  for (int i = 0; i < count_; ++i) lines.push_back({begun_[i].row, faultText(begun_[i].kind, m.procedure[begun_[i].row]), begun_[i].time});
   return lines;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/model.h"
-#include "sim/state.h"
+#include "sim/step.h"
 
 namespace halsted::app {
 
@@ -20,15 +20,13 @@ class FaultLog {
  public:
   static constexpr int kMost = 256;            // later ones are counted by the state alone
 
-  void add(const State&, double dt);           // after every step; dt [s]
+  void add(const StepOutput&, double dt);      // after every step; dt [s]
   std::vector<FaultLine> lines(const Model&) const;
 
  private:
-  struct Begun { int row = 0; bool tooSlow = false; double time = 0.0; };   // [s]
+  struct Begun { int row = 0; EventKind kind = EventKind::kFault; double time = 0.0; };   // [s]
   std::array<Begun, kMost> begun_{};
   int count_ = 0;
-  std::array<std::int32_t, kMaxProcedureSteps> seen_{};   // faults counted so far, by row
-  bool late_ = false;                          // the row under way was so after the step before
 };
 
 }  // namespace halsted::app

@@ -14,12 +14,6 @@
 namespace fs = std::filesystem;
 
 namespace halsted::app {
-namespace {
-
-constexpr double kMessageTime = 2.0;           // [s] an event stays on screen
-
-}  // namespace
-
 struct FrameWriter::Parts {
   RenderScene scene;
   render::Renderer renderer;
@@ -51,10 +45,7 @@ FrameWriter::~FrameWriter() = default;
 
 void FrameWriter::see(const Lockstep& run) {
   const StepOutput& output = run.output();
-  for (int i = 0; i < output.eventCount; ++i) {
-    message_ = number("%.1f s: ", run.time()) + name(output.events[i].kind);
-    messageUntil_ = run.time() + kMessageTime;
-  }
+  for (int i = 0; i < output.eventCount; ++i) banner_.tell(output.events[i], run.scenario().model, run.time());
   const double late = run.time() + 1e-9;       // [s]
   const bool frameDue = late >= static_cast<double>(videoFrames_) / options_.fps;
   const bool timeDue = nextTime_ < options_.times.size() && late >= options_.times[nextTime_];
@@ -66,10 +57,9 @@ void FrameWriter::see(const Lockstep& run) {
 }
 
 void FrameWriter::drawFrame(const Lockstep& run, bool toVideo, bool toFile) {
-  if (run.time() > messageUntil_) message_.clear();
   fillSnapshot(run.scenario().model, run.state(), parts_->snapshot);
   render::HudInput hud;
-  hud.message = message_;
+  hud.message = banner_.at(run.time());
   for (int hand = 0; hand < kHands; ++hand) hud.haptic.force[hand] = run.hands()[hand].output.force;
   try {
     const render::Frame& frame = parts_->renderer.draw(parts_->snapshot, hud, parts_->scene.camera);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/banner.h"
 #include "app/lockstep.h"
 
 namespace halsted::app {
@@ -34,8 +35,8 @@ class FrameWriter {
   std::unique_ptr<Parts> parts_;
   std::uint64_t videoFrames_ = 0, files_ = 0;
   std::size_t nextTime_ = 0;
-  std::string lastFile_, message_;
-  double messageUntil_ = 0.0;                  // [s]
+  std::string lastFile_;
+  Banner banner_;
 };
 
 }  // namespace halsted::app

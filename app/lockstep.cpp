@@ -29,7 +29,7 @@ bool Lockstep::advance() {
   const Stopwatch watch;
   step(scenario_.model, input_, state_, output_);
   stepTimes_.add(watch.seconds());
-  faults_.add(state_, scenario_.model.params.dt);
+  faults_.add(output_, scenario_.model.params.dt);
   busy_ = surgeons_.advance(state_);
   return true;
 }

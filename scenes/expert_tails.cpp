@@ -4,6 +4,7 @@
 #include "sim/contact/surface.h"
 #include "sim/strand/strand.h"
 #include "sim/suture/knotting.h"
+#include "sim/tools/instrument.h"
 
 namespace halsted::scenes {
 namespace {
@@ -15,6 +16,7 @@ constexpr double kNear = 0.25;                 // [1] room that one would give u
 constexpr double kLowest = -0.06, kDeepest = -0.02;            // [m] y and z: lower or deeper is out of the hands' reach
 constexpr double kNearer = 12e-3;              // [m] to the stitch after a miss
 constexpr double kSamePlace = 0.015;           // [m] along the thread
+constexpr int kTries = 8;                      // to take it alone: where thread lies in a heap, with what is beside it
 constexpr double kTightenSpeed = 0.015;        // [m/s]
 constexpr double kTightenReach = 0.09;         // [m] as far as the arms go apart
 constexpr double kMostGiven = 0.02;            // [m] a tail that was taken too tight is let back
@@ -59,18 +61,37 @@ double thinkOfPlace(const Scene& s, double stitch, double way) {
 double tailPlace(const Scene& s) { return thinkOfPlace(s, s.state.strand.holes[0].coordinate, -1.0); }
 double needlePlace(const Scene& s) { return thinkOfPlace(s, s.state.strand.holes[s.state.strand.holeCount - 1].coordinate, 1.0); }
 
+/// Another turn of the thread lies between the closed jaws: it would be drawn along, and the walls with it.
+bool pinchesAnother(const Scene& s, int hand) {
+  if (!s.model.params.thread.knots) return false;   // thread that does not meet thread is not caught so
+  const ToolState& t = s.state.tools[hand];
+  const ToolParams& p = toolOf(s.model, s.state, hand);
+  const auto& x = s.state.strand.position;
+  for (int i = 1; i < s.model.strand.nodes; ++i) {
+    const double place = 0.5 * (s.model.strand.place[i - 1] + s.model.strand.place[i]);          // [m]
+    if (std::fabs(place - t.threadCoordinate) < kSamePlace) continue;
+    for (const Vec3& at : {x[i], Vec3(0.5 * (x[i - 1] + x[i]))}) {
+      const Vec3 seen = t.proxy.inverseApply(at);                                                // [m]
+      if (std::fabs(seen.x()) < p.jawRadius && std::fabs(seen.y()) < p.jawRadius && seen.z() > -p.jawRadius && seen.z() < p.jawLength) return true;
+    }
+  }
+  return false;
+}
+
 /// A stay is held by each hand on its own side.
 bool changedSides(const Scene& s) {
   const auto x = [&](double place) { return strandPoint(s.model.strand, s.state.strand, place).x(); };   // [m]
   return s.action.kind == "take_stay" && x(tailPlace(s)) > x(needlePlace(s));
 }
 
-/// Takes the thread at the place thought of; false while at it. What was not taken, or was another turn of the thread, is let go.
-bool takeThread(const Scene& s, int hand, int first, double (*think)(const Scene&)) {
+/// Takes the thread at the place thought of; false while at it. What was not taken, or was another turn of the thread, is let go; `alone`, also
+/// what has another turn beside it.
+bool takeThread(const Scene& s, int hand, int first, double (*think)(const Scene&), bool alone) {
   ExpertState& e = s.memory;
   if (!pickUp(s, hand, threadGrip(s, hand, e.place), first)) return false;
   const double held = s.state.tools[hand].threadCoordinate;                                      // [m]
-  if (held >= 0.0 && std::fabs(held - e.place) < kSamePlace) return true;
+  const bool another = alone && e.attempt < kTries && pinchesAnother(s, hand);
+  if (held >= 0.0 && std::fabs(held - e.place) < kSamePlace && !another) return true;
   e.hand[hand].jaw = 1.0;
   ++e.attempt;
   e.place = think(s);
@@ -122,7 +143,7 @@ bool runTakeTails(const Scene& s, std::string& failure) {
     e.place = rightPlace(s);
     nextPhase(s);
   } else if (e.phase <= 3) {
-    if (!takeThread(s, kRight, 1, rightPlace)) return false;
+    if (!takeThread(s, kRight, 1, rightPlace, true)) return false;
     e.goal[kLeft] = above(e.hand[kLeft].command, 0.02);
     e.attempt = 0;
     nextPhase(s);
@@ -130,7 +151,7 @@ bool runTakeTails(const Scene& s, std::string& failure) {
     e.hand[kLeft].jaw = 1.0;
     if (s.inPhase > 0.3 && moveHand(s, kLeft, e.goal[kLeft], 0.08)) { e.place = leftPlace(s); nextPhase(s); }
   } else {
-    return takeThread(s, kLeft, 5, leftPlace);
+    return takeThread(s, kLeft, 5, leftPlace, true);
   }
   return false;
 }
@@ -165,7 +186,7 @@ bool runDraw(const Scene& s, std::string& failure) {
     e.place = needlePlace(s);
     nextPhase(s);
   } else if (e.phase <= 3) {
-    if (takeThread(s, kRight, 1, needlePlace)) beginStroke(s);
+    if (takeThread(s, kRight, 1, needlePlace, false)) beginStroke(s);
   } else {
     const double through = s.model.strand.length - s.state.strand.holes[s.state.strand.holeCount - 1].coordinate;   // [m]
     if (through >= s.action.pull) return true;
@@ -192,7 +213,7 @@ bool runTakeOut(const Scene& s) {
     e.place = needlePlace(s);
     nextPhase(s);
   } else if (e.phase <= 4) {
-    if (takeThread(s, kRight, 2, needlePlace)) beginStroke(s);
+    if (takeThread(s, kRight, 2, needlePlace, false)) beginStroke(s);
   } else if (drawStroke(s, true)) {
     e.phase = 1;
   }

@@ -17,6 +17,7 @@ const char* name(EventKind kind) {
     case EventKind::kChannelEmptied: return "channel emptied";
     case EventKind::kStepDone: return "step done";
     case EventKind::kFault: return "fault";
+    case EventKind::kStepLate: return "step takes too long";
     case EventKind::kBegunAnew: return "begun anew";
     case EventKind::kProcedureCompleted: return "procedure completed";
     case EventKind::kThreadBroken: return "thread broken";

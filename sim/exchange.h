@@ -67,7 +67,8 @@ enum class EventKind : std::uint8_t {
   kTissueCut,                                // index: tet that heat has taken away; value: its heat [J]
   kPieceFree,                                // index: how many pieces hang on nothing now; value: their volume [m^3]
   kPieceTaken,                               // index: how many have been carried away; value: its volume [m^3]
-  kBegunAnew                                 // index: procedure step that was under way; back to an earlier one
+  kBegunAnew,                                // index: procedure step that was under way; back to an earlier one
+  kStepLate                                  // index: procedure step that takes longer than its limit: a fault, too
 };
 const char* name(EventKind);
 

@@ -94,11 +94,14 @@ ProcedureEvent advance(std::span<const ProcedureStep> table, const Observation& 
   const ProcedureStep& step = table[state.current];
   const bool done = heldLongEnough(step.done, seen, dt, state.heldDone);
 
-  // One event a call: a step that is done in the very moment of a fault is done one call later.
-  const int faults = int{faultBegins(step, seen, dt, state)} + int{becomesLate(step, time, state)};
-  if (faults > 0) {
-    state.faults[state.current] += faults;
+  // One event a call: what else begins in the very moment of a fault, or is done, does so one call later.
+  if (faultBegins(step, seen, dt, state)) {
+    ++state.faults[state.current];
     return ProcedureEvent::kFault;
+  }
+  if (becomesLate(step, time, state)) {
+    ++state.faults[state.current];
+    return ProcedureEvent::kLate;
   }
   if (!done && step.againFrom >= 0 && step.againFrom < state.current && holds(step.undone, seen)) {
     enter(table, step.againFrom, time, state);

@@ -110,7 +110,7 @@ struct ProcedureState {
   bool inFault = false, late = false;
 };
 
-enum class ProcedureEvent : std::uint8_t { kNone, kStepDone, kFault, kBegunAnew, kCompleted };
+enum class ProcedureEvent : std::uint8_t { kNone, kStepDone, kFault, kLate, kBegunAnew, kCompleted };   // late: a fault, too, but of the step's time
 
 /// Advances the procedure by one step. Pure: same table, observation and state give the same state.  time, dt [s]
 ProcedureEvent advance(std::span<const ProcedureStep> table, const Observation& seen, double time, double dt, ProcedureState&);

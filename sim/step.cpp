@@ -100,6 +100,7 @@ void stepProcedure(const Model& m, State& s, StepOutput& out) {
   if (event == ProcedureEvent::kNone) return;
   EventKind kind = EventKind::kProcedureCompleted;
   if (event == ProcedureEvent::kFault) kind = EventKind::kFault;
+  if (event == ProcedureEvent::kLate) kind = EventKind::kStepLate;
   if (event == ProcedureEvent::kStepDone) kind = EventKind::kStepDone;
   if (event == ProcedureEvent::kBegunAnew) kind = EventKind::kBegunAnew;
   pushEvent(out, {s.step, kind, -1, before, s.step * m.params.dt});

@@ -44,7 +44,7 @@ void LiveSession::start() {
   if (!lockMemory()) links_.physicsNotices.push({NoticeKind::kMemoryNotLocked, 0, 0});
   const std::array<Mover, kHands> movers{scenario_.devices[kLeft].mover, scenario_.devices[kRight].mover};
   recorder_ = std::thread([this] { runRecorder(writer_.get(), links_, finishRecording_, outcome_.recorder); });
-  render_ = std::thread([this] { runRender(scene_, options_.render, scenario_.model.params.dt, links_, outcome_.render); });
+  render_ = std::thread([this] { runRender(scene_, options_.render, scenario_.model, links_, outcome_.render); });
   physics_ = std::thread([this] { runPhysics(scenario_, state_, links_, outcome_.physics); });
   for (int hand = 0; hand < kHands; ++hand)
     if (hands_[hand].device->served()) service_[hand] = std::thread([this, hand] { runDevice(*hands_[hand].device, links_.stop); });

@@ -98,7 +98,7 @@ void runPhysics(const Scenario& scenario, State& state, Links& links, PhysicsOut
     const double seconds = static_cast<double>(monotonicNow() - before) * 1e-9;   // [s]
     outcome.stepTimes.add(seconds);
     ++outcome.steps;
-    outcome.faults.add(state, dt);
+    outcome.faults.add(physics.output, dt);
     physics.tellHaptics();
     physics.tellRecorder();
     physics.tellRenderer(seconds, every);

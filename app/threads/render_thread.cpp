@@ -2,6 +2,7 @@
 
 #include <exception>
 
+#include "app/banner.h"
 #include "app/resources.h"
 #include "app/threads/realtime.h"
 #include "render/renderer.h"
@@ -10,7 +11,6 @@ namespace halsted::app {
 namespace {
 
 const char* const kHelp = "mouse: move  wheel: nearer, farther  right drag: turn  left button or space: close the jaws  C: cut open  N: new thread  T: other instruments  Esc: end";
-constexpr double kMessageTime = 3.0;           // [s] an event stays on screen
 
 /// Rates over the last half second, for the panel.
 struct RateMeter {
@@ -30,26 +30,13 @@ struct RateMeter {
   }
 };
 
-void readEvents(Links& links, double dt, std::string& message, Nanoseconds& until) {   // [s]
-  Event event;
-  while (links.shownEvents.pop(event)) {
-    char text[160];
-    std::snprintf(text, sizeof text, "%.1f s: %s%s%s", static_cast<double>(event.step) * dt, name(event.kind),
-                  event.kind == EventKind::kThreadRefused ? ": " : "",
-                  event.kind == EventKind::kThreadRefused ? name(static_cast<ThreadRefusal>(event.index)) : "");
-    message = text;
-    until = monotonicNow() + static_cast<Nanoseconds>(kMessageTime * 1e9);
-  }
-  if (monotonicNow() > until) message.clear();
-}
-
 /// What the panels show, gathered before each frame.
 struct Panel {
   render::HudInput hud;
   RateMeter rates;
-  Nanoseconds messageUntil = 0;
+  Banner banner;
 
-  void update(Links& links, double dt) {       // [s]
+  void update(Links& links, const Model& m) {
     links.hapticStatus.acquire();
     links.physicsStatus.acquire();
     hud.live = true;
@@ -61,7 +48,9 @@ struct Panel {
     hud.framesPerSecond = rates.framesPerSecond;
     hud.hapticRate = rates.hapticRate;
     hud.late = rates.late;
-    readEvents(links, dt, hud.message, messageUntil);
+    const double now = static_cast<double>(monotonicNow()) * 1e-9;   // [s]
+    for (Event event; links.shownEvents.pop(event);) banner.tell(event, m, now);
+    hud.message = banner.at(now);
     hud.otherView = links.otherView.load();
     if (links.helpVisible.load()) hud.message = kHelp;
   }
@@ -70,12 +59,12 @@ struct Panel {
 /// A renderer, the panels over the picture, and where the picture goes.
 class Painter {
  public:
-  Painter(const RenderScene& scene, const RenderOptions& options, double dt, Links& links)   // [s]
-      : renderer_(scene, options.width, options.height), camera_(scene.camera), toWindow_(options.toWindow), dt_(dt), links_(links) {}
+  Painter(const RenderScene& scene, const RenderOptions& options, const Model& model, Links& links)
+      : renderer_(scene, options.width, options.height), camera_(scene.camera), toWindow_(options.toWindow), model_(model), links_(links) {}
 
   void draw() {
     links_.snapshot.acquire();
-    panel_.update(links_, dt_);
+    panel_.update(links_, model_);
     const render::Frame& frame = renderer_.draw(links_.snapshot.front(), panel_.hud, camera_);
     if (!toWindow_) return;
     links_.frame.back() = frame;
@@ -86,16 +75,16 @@ class Painter {
   render::Renderer renderer_;
   CameraView camera_;
   bool toWindow_;
-  double dt_;                                  // [s]
+  const Model& model_;
   Links& links_;
   Panel panel_;
 };
 
 double secondsSince(Nanoseconds start) { return static_cast<double>(monotonicNow() - start) * 1e-9; }
 
-void drawFrames(const RenderScene& scene, const RenderOptions& options, double dt, Links& links, RenderOutcome& outcome) {   // [s]
+void drawFrames(const RenderScene& scene, const RenderOptions& options, const Model& model, Links& links, RenderOutcome& outcome) {
   const Nanoseconds born = monotonicNow();
-  Painter painter(scene, options, dt, links);
+  Painter painter(scene, options, model, links);
   painter.draw();                              // compiles what the shaders left to the first use
   outcome.startSeconds = secondsSince(born);
   const auto period = static_cast<Nanoseconds>(1e9 / options.fps);
@@ -116,10 +105,10 @@ void drawFrames(const RenderScene& scene, const RenderOptions& options, double d
 
 }  // namespace
 
-void runRender(const RenderScene& scene, const RenderOptions& options, double dt, Links& links, RenderOutcome& outcome) noexcept {   // [s]
+void runRender(const RenderScene& scene, const RenderOptions& options, const Model& model, Links& links, RenderOutcome& outcome) noexcept {
   yieldToOthers();
   try {
-    drawFrames(scene, options, dt, links, outcome);
+    drawFrames(scene, options, model, links, outcome);
   } catch (const std::exception& error) {
     outcome.failure = error.what();
     links.stop.store(true);

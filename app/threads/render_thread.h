@@ -4,6 +4,7 @@
 
 #include "app/threads/links.h"
 #include "app/timing.h"
+#include "sim/model.h"
 
 namespace halsted::app {
 
@@ -22,7 +23,7 @@ struct RenderOutcome {
   std::string failure;                         // no OpenGL, ...; empty: none
 };
 
-/// Runs until `links.stop`. Render thread. `dt` [s] is that of physics.
-void runRender(const RenderScene&, const RenderOptions&, double dt, Links&, RenderOutcome&) noexcept;
+/// Runs until `links.stop`. Render thread. Of the model it reads what no step changes.
+void runRender(const RenderScene&, const RenderOptions&, const Model&, Links&, RenderOutcome&) noexcept;
 
 }  // namespace halsted::app

@@ -113,8 +113,8 @@ TEST(Procedure, ABriefFaultUnderItsHoldTimeIsForgiven) {
 TEST(Procedure, ExceedingTheLimitIsOneFault) {
   Rehearsal run{{bites(1)}};
   run.table[0].limit = 0.2;
-  EXPECT_EQ(run.countEvents(199, ProcedureEvent::kFault), 0);
-  EXPECT_EQ(run.countEvents(1000, ProcedureEvent::kFault), 1);
+  EXPECT_EQ(run.countEvents(199, ProcedureEvent::kLate), 0);
+  EXPECT_EQ(run.countEvents(1000, ProcedureEvent::kLate), 1);
   EXPECT_EQ(run.state.faults[0], 1);
 }
 
@@ -124,8 +124,18 @@ TEST(Procedure, TheLimitIsCountedFromTheStartOfItsStep) {
   run.countEvents(500, ProcedureEvent::kNone);
   run[Quantity::kBites] = 1;
   EXPECT_EQ(run.once(), ProcedureEvent::kStepDone);
-  EXPECT_EQ(run.countEvents(199, ProcedureEvent::kFault), 0);
-  EXPECT_EQ(run.countEvents(10, ProcedureEvent::kFault), 1);
+  EXPECT_EQ(run.countEvents(199, ProcedureEvent::kLate), 0);
+  EXPECT_EQ(run.countEvents(10, ProcedureEvent::kLate), 1);
+}
+
+TEST(Procedure, AFaultAndItsStepsTimeAreTwoEvents) {
+  Rehearsal run{{bitesWithFault()}};
+  run.table[0].limit = 0.2;
+  run.countEvents(200, ProcedureEvent::kNone);
+  run[Quantity::kPeakForce] = 3.0;
+  EXPECT_EQ(run.once(), ProcedureEvent::kFault);
+  EXPECT_EQ(run.once(), ProcedureEvent::kLate);
+  EXPECT_EQ(run.state.faults[0], 2);
 }
 
 TEST(Procedure, NoEventIsLostWhenDoneAndFaultCoincide) {

@@ -1,0 +1,22 @@
+#include "app/event_text.h"
+
+#include "app/run_summary.h"
+
+namespace halsted::app {
+
+std::string faultText(EventKind kind, const ProcedureStep& step) {
+  return kind == EventKind::kStepLate ? number("took longer than %g s", step.limit) : step.faultName;
+}
+
+std::string eventText(const Event& event, std::span<const ProcedureStep> procedure) {
+  const std::string text = name(event.kind);
+  switch (event.kind) {
+    case EventKind::kFault:
+    case EventKind::kStepLate: return std::string(name(EventKind::kFault)) + ": " + faultText(event.kind, procedure[event.index]);
+    case EventKind::kThreadRefused: return text + ": " + name(static_cast<ThreadRefusal>(event.index));
+    case EventKind::kInstrumentRefused: return text + ": " + name(static_cast<InstrumentRefusal>(event.index));
+    default: return text;
+  }
+}
+
+}  // namespace halsted::app

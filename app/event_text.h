@@ -1,0 +1,17 @@
+#pragma once
+/// What happened, in the words of the scene: for the picture's banner and the list of faults. Any thread but physics and haptics (heap).
+#include <span>
+#include <string>
+
+#include "sim/exchange.h"
+#include "sim/procedure.h"
+
+namespace halsted::app {
+
+/// Of a fault its name, of a step that is late its limit, of what the assistant refuses the reason; else what the event is called.
+std::string eventText(const Event&, std::span<const ProcedureStep>);
+
+/// The same without the word "fault" before it; only for kFault and kStepLate.
+std::string faultText(EventKind, const ProcedureStep&);
+
+}  // namespace halsted::app
