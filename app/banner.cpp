@@ -11,7 +11,7 @@ constexpr double kShown = 3.0;                 // [s]
 }  // namespace
 
 void Banner::tell(const Event& event, const Model& m, double now) {   // [s]
-  const bool fault = event.kind == EventKind::kFault || event.kind == EventKind::kStepLate;
+  const bool fault = isFault(event.kind);
   if (now < faultUntil_ && !fault) return;
   text_ = number("%.1f s: ", static_cast<double>(event.step) * m.params.dt) + eventText(event, m.procedure);
   until_ = now + kShown;

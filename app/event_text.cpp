@@ -4,6 +4,8 @@
 
 namespace halsted::app {
 
+bool isFault(EventKind kind) { return kind == EventKind::kFault || kind == EventKind::kStepLate; }
+
 std::string faultText(EventKind kind, const ProcedureStep& step) {
   return kind == EventKind::kStepLate ? number("took longer than %g s", step.limit) : step.faultName;
 }

@@ -11,7 +11,9 @@ namespace halsted::app {
 /// Of a fault its name, of a step that is late its limit, of what the assistant refuses the reason; else what the event is called.
 std::string eventText(const Event&, std::span<const ProcedureStep>);
 
-/// The same without the word "fault" before it; only for kFault and kStepLate.
+bool isFault(EventKind);                      // the scene's own, or that a step is late
+
+/// The same without the word "fault" before it; only where isFault.
 std::string faultText(EventKind, const ProcedureStep&);
 
 }  // namespace halsted::app

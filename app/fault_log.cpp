@@ -7,8 +7,7 @@ namespace halsted::app {
 void FaultLog::add(const StepOutput& output, double dt) {   // [s]
   for (int i = 0; i < output.eventCount && count_ < kMost; ++i) {
     const Event& event = output.events[i];
-    if (event.kind == EventKind::kFault || event.kind == EventKind::kStepLate)
-      begun_[count_++] = {event.index, event.kind, static_cast<double>(event.step) * dt};
+    if (isFault(event.kind)) begun_[count_++] = {event.index, event.kind, static_cast<double>(event.step) * dt};
   }
 }
 

@@ -14,6 +14,7 @@
 namespace fs = std::filesystem;
 
 namespace halsted::app {
+
 struct FrameWriter::Parts {
   RenderScene scene;
   render::Renderer renderer;
