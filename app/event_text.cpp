@@ -17,6 +17,7 @@ std::string eventText(const Event& event, std::span<const ProcedureStep> procedu
     case EventKind::kStepLate: return std::string(name(EventKind::kFault)) + ": " + faultText(event.kind, procedure[event.index]);
     case EventKind::kThreadRefused: return text + ": " + name(static_cast<ThreadRefusal>(event.index));
     case EventKind::kInstrumentRefused: return text + ": " + name(static_cast<InstrumentRefusal>(event.index));
+    case EventKind::kClampRefused: return text + ": " + name(static_cast<ClampRefusal>(event.index));
     default: return text;
   }
 }

@@ -69,7 +69,7 @@ struct Window::Parts {
   ScreenFrame screen;
   HandTarget hand;
   double lastX = 0.0, lastY = 0.0;             // [px]
-  bool hasLast = false, help = false, otherView = false, threadAsked = false, instrumentsAsked = false;
+  bool hasLast = false, help = false, otherView = false, threadAsked = false, instrumentsAsked = false, clampAsked = false;
 
   Parts(const CameraView& view, int height) : screen(view, height) {}
 
@@ -100,6 +100,7 @@ struct Window::Parts {
     if (key == GLFW_KEY_C) otherView = !otherView;
     if (key == GLFW_KEY_N) threadAsked = true;
     if (key == GLFW_KEY_T) instrumentsAsked = true;
+    if (key == GLFW_KEY_H) clampAsked = true;
     const Vec3 axes[] = {-screen.right, screen.right, screen.up, -screen.up, screen.toEye, -screen.toEye};
     const int keys[] = {GLFW_KEY_LEFT, GLFW_KEY_RIGHT, GLFW_KEY_UP, GLFW_KEY_DOWN, GLFW_KEY_PAGE_UP, GLFW_KEY_PAGE_DOWN};
     for (int i = 0; i < 6; ++i)
@@ -113,7 +114,7 @@ struct Window::Parts {
       of(w).moveHand(-notches * kWheelStep * of(w).screen.toEye);
     });
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
-      if (action == GLFW_REPEAT && (key == GLFW_KEY_N || key == GLFW_KEY_T)) return;
+      if (action == GLFW_REPEAT && (key == GLFW_KEY_N || key == GLFW_KEY_T || key == GLFW_KEY_H)) return;
       if (action != GLFW_RELEASE) of(w).keyPressed(key);
     });
   }
@@ -167,6 +168,8 @@ bool Window::closed() const { return glfwWindowShouldClose(parts_->window) != 0;
 bool Window::helpVisible() const { return parts_->help; }
 bool Window::otherView() const { return parts_->otherView; }
 bool Window::takeThreadAsked() { return std::exchange(parts_->threadAsked, false); }
+bool Window::takeClampAsked() { return std::exchange(parts_->clampAsked, false); }
+
 bool Window::takeInstrumentsAsked() { return std::exchange(parts_->instrumentsAsked, false); }
 const HandTarget& Window::target() const { return parts_->hand; }
 

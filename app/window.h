@@ -24,6 +24,7 @@ class Window {
   bool otherView() const;                      // a layered body cut open, or whole where the scene opens it
   bool takeThreadAsked();                      // N was pressed since the last call: the assistant is asked for a new needled thread
   bool takeInstrumentsAsked();                 // T was pressed since the last call: both hands change their instruments
+  bool takeClampAsked();                       // H was pressed since the last call: the assistant takes the clamp over
   const HandTarget& target() const;            // world
 
  private:

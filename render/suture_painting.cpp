@@ -89,7 +89,15 @@ struct SuturePainting final : Painting {
   double lampDepth;                                       // [m] that the shadow map covers
   double threadRadius;                                    // [m]
   std::size_t particles, threadNodes;
-  const DrawnInstrument& held(const RenderSnapshot& s, int hand) const { return instruments[hand][s.tools[hand].second ? 1 : 0]; }
+  /// Calls `draw` for each half of each instrument: in the hands, then in the assistant's.
+  template <class Draw> void eachInstrument(const RenderSnapshot& s, Draw draw) const {
+    const auto both = [&](int hand, const ToolView& tool) {
+      const DrawnInstrument& instrument = instruments[hand][tool.second ? 1 : 0];
+      for (int half = 0; half < 2; ++half) draw(instrument, half, halfPose(instrument.shape, half, tool.jaw, tool.pose));
+    };
+    for (int hand = 0; hand < kHands; ++hand) both(hand, s.tools[hand]);
+    for (int k = 0; k < s.clampCount; ++k) both(s.clamps[k].hand, s.clamps[k].tool);
+  }
   void drawInstruments(const RenderSnapshot&, const Program&) const;
   void drawShadows(const RenderSnapshot&) const;
   void layHoles(const RenderSnapshot&, const CameraView&);
@@ -136,13 +144,10 @@ SuturePainting::SuturePainting(const RenderScene& scene, const Canvas& canvas)
 }
 
 void SuturePainting::drawInstruments(const RenderSnapshot& snapshot, const Program& program) const {
-  for (int hand = 0; hand < kHands; ++hand)
-    for (int half = 0; half < 2; ++half) {
-      const ToolView& tool = snapshot.tools[hand];
-      const DrawnInstrument& instrument = held(snapshot, hand);
-      place(program, halfPose(instrument.shape, half, tool.jaw, tool.pose));
-      instrument.mesh[half].draw();
-    }
+  eachInstrument(snapshot, [&](const DrawnInstrument& instrument, int half, const Pose& stand) {
+    place(program, stand);
+    instrument.mesh[half].draw();
+  });
 }
 
 void SuturePainting::layHoles(const RenderSnapshot& snapshot, const CameraView& camera) {
@@ -207,12 +212,10 @@ void SuturePainting::markShadows(const RenderSnapshot& snapshot) {
   if (!snapshot.threadOnTable) shadowCells->add(snapshot.needle.position, needleReach);
   for (const CapsuleShape& rod : rodsAsLines)
     for (double t = 0.0; t <= 1.0; t += 0.05) shadowCells->add(rod.a + t * (rod.b - rod.a), 1.5 * rod.radius);
-  for (int hand = 0; hand < kHands; ++hand)
-    for (int half = 0; half < 2; ++half) {
-      const DrawnInstrument& instrument = held(snapshot, hand);
-      const Matrix4 stand = matrixOf(halfPose(instrument.shape, half, snapshot.tools[hand].jaw, snapshot.tools[hand].pose));
-      shadowCells->add(instrument.shadow[half], stand.cast<double>());
-    }
+  eachInstrument(snapshot, [&](const DrawnInstrument& instrument, int half, const Pose& stand) {
+    const Matrix4 matrix = matrixOf(stand);
+    shadowCells->add(instrument.shadow[half], matrix.cast<double>());
+  });
 }
 
 void SuturePainting::drawFieldShadows(const RenderSnapshot& snapshot, const View& view) {

@@ -38,7 +38,7 @@ constexpr NumberKey kNeedleNumbers[] = {
     {"distance_mm", &ExpertAction::distance, 1.0, 60.0, 1e-3},      {"limit_s", &ExpertAction::seconds, 0.01, 600.0, 1.0},
 };
 constexpr const char* kSutureKinds[] = {"bite", "draw", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go", "take_out", "fresh_thread", "change_tools", "hold",
-                                        "hold_fold", "cut_ring", "take_away"};
+                                        "hold_fold", "hand_over", "cut_ring", "take_away"};
 constexpr const char* kNeedleKinds[] = {"find", "press", "insert", "twirl", "lift_thrust", "withdraw"};
 
 bool isOneOf(std::span<const char* const> kinds, const std::string& text) {

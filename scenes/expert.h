@@ -17,7 +17,7 @@ namespace halsted::scenes {
 struct ExpertAction {
   std::string kind;                            // a suture's: "bite", "draw", "take_tails", "tighten", "tie", "cut", "take_stay", "traction", "let_go",
                                                // "take_out", "fresh_thread", "change_tools", "hold": see scenes/expert_run.cpp
-                                               // an excision's: "hold_fold", "cut_ring", "take_away": see scenes/expert_excise.cpp
+                                               // an excision's: "hold_fold", "hand_over", "cut_ring", "take_away": see scenes/expert_excise.cpp
                                                // a needle's: "find", "press", "insert", "twirl", "lift_thrust", "withdraw", "hold"
   double angleDegrees = 0.0;                   // angle_deg [deg] round the opening, 0 at +x, counter-clockwise seen by the surgeon; from_deg: where a cut begins; of a needle
                                                // to the skin, 0: as the point's textbook says

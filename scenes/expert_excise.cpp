@@ -1,4 +1,4 @@
-/// An excision: the left hand's clamp takes the fold, the right hand's pen goes round one wall and then the other, and the clamp carries off
+/// An excision: the left hand's clamps take the fold, one after the other, the right hand's pen goes round one wall and then the other, and the clamp carries off
 /// what has come free. Hands move, nothing else.
 #include <algorithm>
 #include <cmath>
@@ -65,7 +65,7 @@ bool takeFold(const Scene& s, std::string& failure) {
   } else {
     clamp.jaw = kHalfShut;
     if (s.inPhase < 2.0 * kSettle) return false;
-    if (s.state.tools[kLeft].graspCount > 0) { nextPhase(s); return true; }
+    if (s.state.tools[kLeft].grasp.count > 0) { nextPhase(s); return true; }
     if (++e.attempt >= kAttempts) failure = "the clamp does not hold the fold";
     e.phase = 0;
     e.phaseStart = s.state.step;
@@ -145,10 +145,30 @@ bool runHoldFold(const Scene& s, std::string& failure) {
     e.pullAlong = (e.goal[kLeft].position - centreOf(ringOn(s.model, 0, 0.0), s.state)).normalized();
   }
   feel(e.felt[kLeft], s.state.tools[kLeft].force.norm(), s.dt, kFelt);
-  if (s.state.tools[kLeft].graspCount == 0) failure = "the fold has slipped out of the clamp";
+  if (s.state.tools[kLeft].grasp.count == 0) failure = "the fold has slipped out of the clamp";
   if (e.felt[kLeft] >= s.action.tension || e.pulled >= kMost) return true;
   e.pulled += kPull * s.dt;
   moveHand(s, kLeft, {e.goal[kLeft].position + e.pulled * e.pullAlong, e.goal[kLeft].orientation}, kClose);
+  return false;
+}
+
+bool runHandOver(const Scene& s, std::string& failure) {
+  constexpr double kAnswer = 0.2;              // [s] in which the assistant takes it or says why not
+  ExpertState& e = s.memory;
+  HandMotion& clamp = e.hand[kLeft];
+  if (!s.state.clamps) { failure = "the assistant has no clamp to give for this one: assistant.clamps"; return false; }
+  if (e.phase == 0) {
+    e.clampsBefore = s.state.clamps->count;
+    e.spoken = {Command::Kind::kHandOver, static_cast<double>(kLeft)};
+    e.goal[kLeft] = above(clamp.command, kOver);
+    nextPhase(s);
+  } else if (e.phase == 1) {
+    if (s.state.clamps->count > e.clampsBefore) nextPhase(s);
+    else if (s.inPhase > kAnswer) failure = name(static_cast<ClampRefusal>(s.state.clamps->refusal));
+  } else if (moveHand(s, kLeft, e.goal[kLeft], kClose)) {        // shut as it is: it would open against what stands beside it
+    clamp.jaw = 1.0;
+    return s.inPhase > kSettle;
+  }
   return false;
 }
 
@@ -186,7 +206,7 @@ bool runTakeAway(const Scene& s, std::string& failure) {
   const CutMetrics& cut = *s.state.metrics.cut;
   if (e.phase == 0) {
     if (cut.freePieces == 0) { failure = "the specimen is not free"; return false; }
-    if (s.state.tools[kLeft].graspCount == 0) { failure = "the clamp holds nothing"; return false; }
+    if (s.state.tools[kLeft].grasp.count == 0) { failure = "the clamp holds nothing"; return false; }
     e.goal[kLeft] = {clamp.command.position + kAway, clamp.command.orientation};
     nextPhase(s);
   }

@@ -22,6 +22,7 @@ bool runAction(const Scene& scene, std::string& failure) {
   if (scene.action.kind == "fresh_thread") return runFreshThread(scene, failure);
   if (scene.action.kind == "change_tools") return runChangeTools(scene, failure);
   if (scene.action.kind == "hold_fold") return runHoldFold(scene, failure);
+  if (scene.action.kind == "hand_over") return runHandOver(scene, failure);
   if (scene.action.kind == "cut_ring") return runCutRing(scene, failure);
   if (scene.action.kind == "take_away") return runTakeAway(scene, failure);
   if (scene.action.kind == "hold") return scene.inPhase >= scene.action.seconds;
@@ -86,7 +87,7 @@ void checkTechnique(const ExpertAction& a, const Model& model) {
   const std::string where = "line " + std::to_string(a.line) + ": action.";
   if (a.kind != "hold" && isSutureAction(a.kind) == model.body.has_value())
     throw InputError(where + "do: '" + a.kind + "' is not done in a scene of this kind");
-  if ((a.kind == "hold_fold" || a.kind == "cut_ring" || a.kind == "take_away") && model.mesh.cuttable.empty())
+  if ((a.kind == "hold_fold" || a.kind == "hand_over" || a.kind == "cut_ring" || a.kind == "take_away") && model.mesh.cuttable.empty())
     throw InputError(where + "do: '" + a.kind + "': nothing can be cut in this scene");
   if (a.point.empty()) return;
   for (const Acupoint& point : model.body->points)

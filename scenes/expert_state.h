@@ -56,6 +56,7 @@ struct ExpertState {
   Command spoken;                              // to be said
   std::int32_t handedBefore = 0;               // threads, before this one was asked for
   std::int32_t secondBefore = 0;               // whether a hand held its second instrument, before the change
+  std::int32_t clampsBefore = 0;               // in the assistant's hands, before this one
   NeedlePlan needle;
   CutCourse cut;
 };
@@ -91,6 +92,8 @@ bool runFreshThread(const Scene&, std::string& failure);
 bool runChangeTools(const Scene&, std::string& failure);
 /// The left clamp takes the fold of a prolapse and draws it toward the surgeon until it is felt.
 bool runHoldFold(const Scene&, std::string& failure);
+/// The left hand gives its clamp, as it is, to the assistant, and draws the one that it is given for it clear of the tissue.
+bool runHandOver(const Scene&, std::string& failure);
 /// The right pen goes once round a wall, to and fro wherever it has not parted yet.
 bool runCutRing(const Scene&, std::string& failure);
 /// The left clamp carries off what has come free, and lets go of it.

@@ -53,6 +53,12 @@ void checkAnatomy(const AnatomyParams& anatomy, const std::string& origin, const
   }
 }
 
+bool hasClamp(const SimParams& params) {
+  for (int hand = 0; hand < kHands; ++hand)
+    if (params.tools[hand].kind == ToolKind::kAllis || params.second[hand].kind == ToolKind::kAllis) return true;
+  return false;
+}
+
 void checkSuture(const SimParams& params, const std::string& origin, const SettingOrigins& origins) {
   checkAnatomy(params.anatomy, origin, origins);
   if (params.thread.nodes * params.thread.segmentLength > kLongestThread)
@@ -65,6 +71,8 @@ void checkSuture(const SimParams& params, const std::string& origin, const Setti
   for (int hand = 0; hand < kHands; ++hand)
     if (params.tools[hand].kind == ToolKind::kNone)
       throw InputError(placeOf(origin, origins, {hand == kLeft ? "tool.left.kind" : "tool.right.kind"}) + ": a hand holds an instrument; only a second may be none");
+  if (params.assistant.clamps > 0 && !hasClamp(params))
+    throw InputError(placeOf(origin, origins, {"assistant.clamps"}) + ": no hand has a clamp (kind = \"allis\") to hand over");
   if (params.anvil.radius > 0.0 && params.anvil.from == params.anvil.to)
     throw InputError(placeOf(origin, origins, {"anvil.to", "anvil.from"}) + ": the anvil has no length");
 }

@@ -108,6 +108,8 @@ void addCautery(CauteryParams& cautery, Fields& fields) {
   });
 }
 
+void addAssistant(AssistantParams& assistant, Fields& fields) { fields.push_back({"assistant.clamps", &assistant.clamps, 0, kMostClamps, ""}); }
+
 void addAnatomy(SimParams& params, Fields& fields) {
   AnatomyParams& anatomy = params.anatomy;
   fields.insert(fields.end(), {
@@ -142,6 +144,7 @@ std::vector<SceneField> sceneFields(SceneFile& scene) {
   addTool("tool.left.second", scene.params.second[kLeft], fields);
   addTool("tool.right.second", scene.params.second[kRight], fields);
   addCautery(scene.params.cautery, fields);
+  addAssistant(scene.params.assistant, fields);
   addAnatomy(scene.params, fields);
   addNeedling(scene, fields);
   return fields;

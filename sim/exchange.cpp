@@ -33,6 +33,9 @@ const char* name(EventKind kind) {
     case EventKind::kTissueCut: return "tissue cut";
     case EventKind::kPieceFree: return "piece free";
     case EventKind::kPieceTaken: return "piece taken away";
+    case EventKind::kClampHandedOver: return "clamp handed over";
+    case EventKind::kClampRefused: return "clamp not taken over";
+    case EventKind::kClampReleased: return "assistant's clamp let go";
   }
   return "unknown event";
 }

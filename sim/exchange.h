@@ -68,7 +68,10 @@ enum class EventKind : std::uint8_t {
   kPieceFree,                                // index: how many pieces hang on nothing now; value: their volume [m^3]
   kPieceTaken,                               // index: how many have been carried away; value: its volume [m^3]
   kBegunAnew,                                // index: procedure step that was under way; back to an earlier one
-  kStepLate                                  // index: procedure step that takes longer than its limit: a fault, too
+  kStepLate,                                 // index: procedure step that takes longer than its limit: a fault, too
+  kClampHandedOver,                          // index: how many are left
+  kClampRefused,                             // index: ClampRefusal, why the assistant does not take it
+  kClampReleased                             // index: which of those that stand; value: what it held [N]
 };
 const char* name(EventKind);
 
@@ -87,6 +90,11 @@ struct ToolView {
   Vec3 force = Vec3::Zero();                 // [N] on the hand
   bool second = false;                       // it holds its second instrument
 };
+
+inline constexpr int kMostClamps = 4;        // in the assistant's hands at once
+
+/// A clamp that the assistant holds; it came out of `hand`.
+struct ClampView { int hand = 0; ToolView tool; };
 
 /// A needle in layered tissue. Inside, the needle's tool pose is that of the hand; the needle itself lies on the line of `tools[].pose`.
 struct NeedlingView {
@@ -114,6 +122,8 @@ struct RenderSnapshot {
   Pose needle;                               // needle frame, see NeedleShape
   bool threadOnTable = false;                // neither thread nor needle has been handed yet
   std::array<ToolView, kHands> tools;
+  std::array<ClampView, kMostClamps> clamps;
+  int clampCount = 0;
   std::vector<Vec3> punctures;               // [m] open puncture holes; capacity RenderScene::maxPunctures, size = punctureCount
   int punctureCount = 0;
   int procedureStep = 0;                     // index of the current step; == size when completed
@@ -222,7 +232,8 @@ struct PhysicsStatus {
 struct Command {
   enum class Kind : std::uint8_t { kNone, kSetGravity, kReset,
                                    kFreshThread,  // the assistant hands a needled thread; sim/suture/fresh_thread.h
-                                   kChangeInstrument   // of hand `value`; sim/tools/instrument.h
+                                   kChangeInstrument,  // of hand `value`; sim/tools/instrument.h
+                                   kHandOver           // the clamp in hand `value` to the assistant; sim/tools/standing_clamps.h
   } kind = Kind::kNone;
   double value = 0.0;                        // [1] or the unit of the kind
 };

@@ -147,10 +147,13 @@ template <class V> void visitMembers(TiedStitches& object, FieldWalk<V>& walk) {
   walk.members("stitch", std::span<TiedStitch>(stitch.data(), static_cast<std::size_t>(count)));
 }
 HALSTED_FIELDS(ThreadSupply, left, handed, refusal, bitesBefore, fullThicknessBefore, tearsBefore)
+HALSTED_FIELDS(TissueGrasp, count, triangle, weight, local, force)
 HALSTED_FIELDS(ToolState, device, proxy, jaw, closed, ratchet, force, holdsNeedle, needleCoordinate, needleInTool, needleForce, threadCoordinate,
-               threadForce, strandForce, graspCount, graspTriangle, graspWeight, graspLocal, graspForce, contactCount, contactTriangle,
-               contactWeight, contactNormal, contactForce, nearCount, nearTriangle)
+               threadForce, strandForce, grasp, contactCount, contactTriangle, contactWeight,
+               contactNormal, contactForce, nearCount, nearTriangle)
 HALSTED_FIELDS(InstrumentState, second, refusal)
+HALSTED_FIELDS(StandingClamp, hand, second, jaw, held, pose, grasp)
+HALSTED_FIELDS(StandingClamps, clamp, count, left, refusal)
 HALSTED_FIELDS(ProcedureState, current, heldDone, heldFault, stepStart, finished, faults, inFault, late)
 HALSTED_FIELDS(HandMetrics, pathLength, peakForce, forceSum, forceSteps, lastPosition, started)
 HALSTED_FIELDS(BiteMetrics, depth, spacing, entryAngle, width)
@@ -169,7 +172,7 @@ HALSTED_FIELDS(Winding, angle, turned, length, torque, grasp)
 HALSTED_FIELDS(NeedlingState, step, skinUnit, fingerUnit, contact, outward, entry, axis, layers, depth, pressed, fingerDepth, fingerPlace,
                fingerNormal, needleTurn, friction, cut, winding, inside)
 template <class V> void visitMembers(StepWork&, V&) {}   // scratch is not part of the state's value
-HALSTED_FIELDS(State, step, random, tissue, strand, threadContacts, knot, assist, stitches, supply, cut, tools, instruments, procedure, metrics, needling, work)
+HALSTED_FIELDS(State, step, random, tissue, strand, threadContacts, knot, assist, stitches, supply, cut, tools, instruments, clamps, procedure, metrics, needling, work)
 
 #undef HALSTED_FIELDS
 

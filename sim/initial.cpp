@@ -48,6 +48,7 @@ void beginSuture(const Model& m, State& s) {
     s.work.threadContacts = prepareContactWork(m.strand, {t.friction, t.lateralModulus, t.breakingTension});
   }
   if (std::any_of(m.params.second, m.params.second + kHands, [](const ToolParams& p) { return p.kind != ToolKind::kNone; })) s.instruments.emplace();
+  if (m.params.assistant.clamps > 0) { s.clamps.emplace(); s.clamps->left = m.params.assistant.clamps; }
   s.work.tissue = prepareWork(m.tissue);
   s.work.strand = prepareWork(m.strand);
   s.work.force.assign(m.mesh.vertices.size(), Vec3::Zero());
@@ -140,6 +141,11 @@ void fillSnapshot(const Model& m, const State& s, RenderSnapshot& r) {
   r.time = s.step * m.params.dt;
   for (int hand = 0; hand < kHands; ++hand)
     r.tools[hand] = {s.tools[hand].proxy, s.tools[hand].jaw, s.tools[hand].force, s.instruments && s.instruments->second[hand] == 1};
+  r.clampCount = s.clamps ? s.clamps->count : 0;
+  for (int k = 0; k < r.clampCount; ++k) {
+    const StandingClamp& c = s.clamps->clamp[k];
+    r.clamps[k] = {c.hand, {c.pose, c.jaw, Vec3::Zero(), c.second == 1}};
+  }
   r.procedureStep = s.procedure.current;
   r.faults = 0;
   for (std::int32_t f : s.procedure.faults) r.faults += static_cast<std::uint32_t>(f);

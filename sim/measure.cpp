@@ -203,7 +203,7 @@ void measureSuture(const Model& m, State& s, StepOutput& out) {
   if (metrics.cut) observe(*metrics.cut, out.seen);
   set(Quantity::kPartialThickness, partialBites(m, s.strand));
   if (s.instruments) set(Quantity::kSecondInstruments, s.instruments->second[kLeft] + s.instruments->second[kRight]);
-  set(Quantity::kTissueHeld, (s.tools[0].graspCount > 0) + (s.tools[1].graspCount > 0));
+  set(Quantity::kTissueHeld, (s.tools[0].grasp.count > 0) + (s.tools[1].grasp.count > 0) + (s.clamps ? s.clamps->count : 0));
   set(Quantity::kStitches, finishedStitches(m, s));
   set(Quantity::kThreadsLeft, before.left);
   const KnotState& knot = s.knot;

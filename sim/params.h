@@ -103,6 +103,11 @@ struct CauteryParams {                         // [cautery]
   double crumb = 8e-9;                         // crumb [m^3] a free piece no larger is sucked away with the smoke (design)
 };
 
+/// Who stands beside; sim/tools/standing_clamps.h.
+struct AssistantParams {                       // [assistant]
+  int clamps = 0;                              // clamps [1] that lie ready for a hand that has given its own over
+};
+
 struct AnatomyParams {                         // [anatomy]
   std::string mesh;                            // mesh: a surface file; empty = the procedural colon
   double scale = 1.0;                          // scale [m per mesh unit]
@@ -143,6 +148,7 @@ struct SimParams {
   ToolParams tools[kHands];
   ToolParams second[kHands] = {withoutTool(), withoutTool()};   // what a hand may change its instrument for: sim/tools/instrument.h
   CauteryParams cautery;
+  AssistantParams assistant;
   AnatomyParams anatomy;
   RodParams anvil;
   NeedlingParams needling;                     // [needling]; its keys stand in scenes/scene_fields_needling.cpp

@@ -68,7 +68,7 @@ enum class Quantity : std::uint8_t {
   kCurrent,                // current                  [1] 1 while current flows through tissue
   kSpecimenFree,           // specimen_free            [1] pieces that hang on nothing, and those carried away
   kSpecimenTaken,          // specimen_taken           [1] pieces carried away
-  kTissueHeld,             // tissue_held              [1] hands that hold tissue
+  kTissueHeld,             // tissue_held              [1] hands and standing clamps that hold tissue
   kSecondInstruments,      // second_instruments       [1] hands that hold the second instrument laid out for them
   kCount
 };

@@ -17,6 +17,7 @@
 #include "sim/suture/thread_supply.h"
 #include "sim/suture/tied_stitches.h"
 #include "sim/tissue/tissue_state.h"
+#include "sim/tools/clamp_state.h"
 #include "sim/tools/instrument_state.h"
 #include "sim/tools/tool_state.h"
 #include "sim/types.h"
@@ -37,6 +38,7 @@ struct State {
   std::optional<CutState> cut;                 // where tissue can be cut
   std::array<ToolState, kHands> tools;
   std::optional<InstrumentState> instruments;  // where a second instrument is laid out
+  std::optional<StandingClamps> clamps;        // where the assistant takes some over
   ProcedureState procedure;
   MetricsState metrics;
   std::optional<NeedlingState> needling;       // of a body that is needled; then tissue and strand are empty

@@ -17,6 +17,7 @@
 #include "sim/tools/instrument.h"
 #include "sim/tools/load_driver.h"
 #include "sim/tools/local_contact.h"
+#include "sim/tools/standing_clamps.h"
 #include "sim/tools/tool_shape.h"
 #include "sim/tools/touch.h"
 
@@ -109,6 +110,7 @@ void stepProcedure(const Model& m, State& s, StepOutput& out) {
 void stepSuture(const Model& m, const StepInput& input, State& s, StepOutput& out) {
   if (input.command.kind == Command::Kind::kFreshThread) handFreshThread(m, s, out);
   if (input.command.kind == Command::Kind::kChangeInstrument) changeInstrument(m, input.command.value > 0.5 ? kRight : kLeft, s, out);
+  if (input.command.kind == Command::Kind::kHandOver) handOverClamp(m, input.command.value > 0.5 ? kRight : kLeft, s, out);
   cutTissue(m, s, out);
   carryForces(m, input.lumenPressure, s);
   predictTissue(m.tissue, s.work.force, s.tissue, s.work.tissue);
@@ -121,6 +123,7 @@ void stepSuture(const Model& m, const StepInput& input, State& s, StepOutput& ou
     updateProxy(m, hand, s);
     slipGrasp(m, hand, s, out);
   }
+  settleStandingClamps(m, s, out);
   settleStitches(m, s, out);
   stepStrand(m, {{solidsBefore, {}}, before, {}}, s, out);
   solveTissueContact(m, s);

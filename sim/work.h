@@ -89,7 +89,7 @@ struct SelfWork {
 
 /// Used by sim/tools: the contacts and grasps of both tools as one small problem on the tissue's compliance.
 struct TouchPoint {
-  int hand = 0, triangle = -1;
+  int hand = 0, triangle = -1;                 // kHands + k: the k-th standing clamp
   bool grasp = false;                          // bilateral: held between the jaws
   bool gone = false;                           // no contact any more: stays in the problem because its old force is taken back
   std::array<double, 3> weight{};              // [1]
@@ -102,7 +102,7 @@ struct TouchPoint {
 };
 
 struct TouchWork {
-  static constexpr int kMax = kHands * (2 * ToolState::kMaxContacts + ToolState::kMaxGrasp);
+  static constexpr int kMax = kHands * (2 * ToolState::kMaxContacts + TissueGrasp::kMost) + kMostClamps * TissueGrasp::kMost;
   std::array<TouchPoint, kMax> point;
   int count = 0;
   std::array<double, kMax * kMax> compliance{};    // [m/N] tissue between points, plus the coupling of their common tool

@@ -97,7 +97,7 @@ void addTrain(CLI::App& app, CommandLine& line) {
   command->add_flag("--json", train.json, "print the outcome as JSON");
   command->add_flag("--verbose", train.verbose, "log events and skipped ticks");
   command->footer("In the window: mouse moves the hand, wheel nearer and farther, right drag turns, left button or space closes the\n"
-                  "jaws, C cuts a body open, N asks for a new needled thread, T changes both instruments, F1 help, Esc ends.\n"
+                  "jaws, C cuts a body open, N asks for a new needled thread, T changes both instruments, H hands a clamp to the assistant, F1 help, Esc ends.\n"
                   "Example: halsted train purse_string --headless --seconds 10 --json");
 }
 

@@ -57,6 +57,9 @@ void waitHeadless(const TrainOptions& options, const Scenario& scenario, LiveSes
   }
 }
 
+/// The hand whose instrument the assistant takes over.
+int clampHand(const SimParams& p) { return p.tools[kRight].kind == ToolKind::kAllis || p.second[kRight].kind == ToolKind::kAllis ? kRight : kLeft; }
+
 void runWindow(const TrainOptions& options, const Scenario& scenario, LiveSession& session, Window& window) {
   const Stopwatch watch;
   while (session.running() && !window.closed() && !interrupted.load() && !timeIsUp(options, watch)) {
@@ -68,6 +71,8 @@ void runWindow(const TrainOptions& options, const Scenario& scenario, LiveSessio
     if (window.takeThreadAsked()) session.links().commands.push({Command::Kind::kFreshThread, 0.0});
     if (window.takeInstrumentsAsked())
       for (int hand = 0; hand < kHands; ++hand) session.links().commands.push({Command::Kind::kChangeInstrument, static_cast<double>(hand)});
+    if (window.takeClampAsked() && scenario.model.params.assistant.clamps > 0)
+      session.links().commands.push({Command::Kind::kHandOver, static_cast<double>(clampHand(scenario.model.params))});
     if (session.links().frame.acquire()) window.show(session.links().frame.front());
     if (nothingLeft(scenario, session)) break;
   }

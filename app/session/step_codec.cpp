@@ -92,7 +92,7 @@ std::string flaw(const StepInput& input) {
     if (!tool.velocity.allFinite() || tool.velocity.norm() > kFastest) return "an impossible velocity";
     if (!(tool.jaw >= 0.0 && tool.jaw <= 1.0)) return "a jaw opening outside 0 to 1";
   }
-  if (input.command.kind > Command::Kind::kChangeInstrument || !std::isfinite(input.command.value)) return "an unknown command";
+  if (input.command.kind > Command::Kind::kHandOver || !std::isfinite(input.command.value)) return "an unknown command";
   return {};
 }
 

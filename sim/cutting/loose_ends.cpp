@@ -7,6 +7,7 @@
 #include "sim/suture/tied_stitches.h"
 #include "sim/tools/find_touch.h"
 #include "sim/tools/grasp.h"
+#include "sim/tools/standing_clamps.h"
 #include "sim/tools/touch.h"
 
 namespace halsted {
@@ -61,11 +62,11 @@ void dropToolContacts(const Model& m, ToolState& t, const State& s) {
 
 void dropGrasps(const Model& m, int hand, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];
-  const int before = t.graspCount;
+  const int before = t.grasp.count;
   const double held = touchForce(t).norm();    // [N]
-  for (int g = t.graspCount - 1; g >= 0; --g)
-    if (!bare(m, s, t.graspTriangle[g])) dropGraspPoint(t, g);
-  if (before > 0 && t.graspCount == 0) pushEvent(out, {s.step, EventKind::kTissueReleased, hand, -1, held});
+  for (int g = t.grasp.count - 1; g >= 0; --g)
+    if (!bare(m, s, t.grasp.triangle[g])) dropGraspPoint(t.grasp, g);
+  if (before > 0 && t.grasp.count == 0) pushEvent(out, {s.step, EventKind::kTissueReleased, hand, -1, held});
 }
 
 }  // namespace
@@ -75,6 +76,7 @@ void letGoOfGone(const Model& m, State& s, StepOutput& out) {
   dropStrandContacts(m, s);
   tearHolesInGone(m, s, out);
   tearStitchesInGone(m, s, out);
+  dropStandingGrasps(m, s, out);
   for (int hand = 0; hand < kHands; ++hand) {
     dropToolContacts(m, s.tools[hand], s);
     dropGrasps(m, hand, s, out);

@@ -102,10 +102,9 @@ Box boxOf(const Model& m, const State& s, int piece) {
   return box;
 }
 
-bool heldByTool(const Model& m, const State& s, int piece) {
-  for (const ToolState& t : s.tools)
-    for (int g = 0; g < t.graspCount; ++g)
-      if (s.cut->piece[m.surface.triangleTet[t.graspTriangle[g]]] == piece) return true;
+bool holdsSome(const Model& m, const State& s, const TissueGrasp& grasp, int piece) {
+  for (int g = 0; g < grasp.count; ++g)
+    if (s.cut->piece[m.surface.triangleTet[grasp.triangle[g]]] == piece) return true;
   return false;
 }
 
@@ -137,6 +136,16 @@ void settlePieces(const Model& m, State& s, StepOutput& out) {
   if (s.cut->pieces > before) pushEvent(out, {s.step, EventKind::kPieceFree, -1, s.cut->pieces, metrics.freeVolume});
 }
 
+bool heldByHand(const Model& m, const State& s, int piece) {
+  return std::any_of(s.tools.begin(), s.tools.end(), [&](const ToolState& t) { return holdsSome(m, s, t.grasp, piece); });
+}
+
+bool heldByClamp(const Model& m, const State& s, int piece) {
+  for (int k = 0; s.clamps && k < s.clamps->count; ++k)
+    if (holdsSome(m, s, s.clamps->clamp[k].grasp, piece)) return true;
+  return false;
+}
+
 bool takeAwayPieces(const Model& m, State& s, StepOutput& out) {
   if (s.cut->pieces == 0 || s.step % kTakeInterval != 0) return false;
   const Box rest = boxOf(m, s, 0);
@@ -145,7 +154,7 @@ bool takeAwayPieces(const Model& m, State& s, StepOutput& out) {
   for (int piece = 1; piece <= s.cut->pieces; ++piece) {
     const Box box = boxOf(m, s, piece);
     const Vec3 gap = (box.low - rest.high).cwiseMax(rest.low - box.high).cwiseMax(Vec3::Zero());   // [m]
-    if (gap.squaredNorm() <= far * far || heldByTool(m, s, piece)) continue;
+    if (gap.squaredNorm() <= far * far || heldByHand(m, s, piece) || heldByClamp(m, s, piece)) continue;
     double volume = 0.0;                                         // [m^3]
     for (std::size_t t = 0; t < s.cut->piece.size(); ++t)
       if (s.cut->piece[t] == piece) volume += m.tissue.restVolume[t];

@@ -14,6 +14,10 @@ void findPieces(const Model&, State&);
 /// Free pieces no larger than a crumb are sucked away with the smoke; larger ones are reported.
 void settlePieces(const Model&, State&, StepOutput&);
 
+/// Does a hand, or a clamp that stands, hold some of it?
+bool heldByHand(const Model&, const State&, int piece);
+bool heldByClamp(const Model&, const State&, int piece);
+
 /// A free piece that nobody holds and that has been carried far from the rest is taken out of the scene. True when one was.
 bool takeAwayPieces(const Model&, State&, StepOutput&);
 

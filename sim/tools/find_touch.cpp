@@ -4,6 +4,7 @@
 
 #include "sim/contact/geometry.h"
 #include "sim/tools/instrument.h"
+#include "sim/tools/standing_clamps.h"
 #include "sim/tools/tool_shape.h"
 
 namespace halsted {
@@ -53,14 +54,6 @@ Found touchOf(const Model& m, const CapsuleShape& c, int triangle, std::span<con
   f.point.toolPoint = axis + c.radius * f.point.normal;
   f.ok = true;
   return f;
-}
-
-bool isHeld(const Model& m, const ToolState& t, int triangle) {
-  for (int g = 0; g < t.graspCount; ++g)
-    for (int held : m.surface.triangles[t.graspTriangle[g]])
-      for (int v : m.surface.triangles[triangle])
-        if (v == held) return true;
-  return false;
 }
 
 /// Same spot as a contact already found for this tool: keep the deeper one.
@@ -164,6 +157,7 @@ bool listNear(const Model& m, const State& s, const CapsuleShape& around, ToolSt
     const Vec3& x = s.tissue.position[m.surface.triangles[f][0]];
     const Vec3 axis = around.a + closestOnSegment(x, around.a, around.b) * (around.b - around.a);
     if ((x - axis).squaredNorm() >= around.radius * around.radius) continue;
+    if (inStandingClamp(m, s, static_cast<int>(f))) continue;
     if (t.nearCount == ToolState::kMaxNear) return false;
     t.nearTriangle[t.nearCount++] = static_cast<std::int32_t>(f);
   }
@@ -171,6 +165,14 @@ bool listNear(const Model& m, const State& s, const CapsuleShape& around, ToolSt
 }
 
 }  // namespace
+
+bool isHeld(const Model& m, const TissueGrasp& grasp, int triangle) {
+  for (int g = 0; g < grasp.count; ++g)
+    for (int held : m.surface.triangles[grasp.triangle[g]])
+      for (int v : m.surface.triangles[triangle])
+        if (v == held) return true;
+  return false;
+}
 
 void refreshNear(const Model& m, int hand, State& s) {
   if (s.step % kRefreshInterval == static_cast<unsigned>(hand)) listNearTriangles(m, hand, s);
@@ -195,7 +197,7 @@ void findContacts(const Model& m, int hand, const Pose& before, State& s) {
   for (int c = 0; c < kSolidsPerTool; ++c) {
     const CapsuleShape capsule = placed(capsules[c], before);
     for (int i = 0; i < t.nearCount; ++i) {
-      if (isHeld(m, t, t.nearTriangle[i])) continue;
+      if (isHeld(m, t.grasp, t.nearTriangle[i])) continue;
       Found f = touchOf(m, capsule, t.nearTriangle[i], s.work.tissue.previous, kMargin + back + kFastest);
       if (!f.ok || (f.sunk && !cameIn(m, t, f.point))) continue;
       f.point.hand = hand;
@@ -231,20 +233,24 @@ int findAhead(const Model& m, int hand, const State& s, double margin, std::span
   return count;
 }
 
-void findGrasps(const Model& m, int hand, State& s) {
-  const ToolState& t = s.tools[hand];
-  for (int g = 0; g < t.graspCount; ++g) {
+void appendGrasp(const Model& m, int holder, const Pose& jaws, double gripForce, const TissueGrasp& grasp, State& s) {   // [N]
+  for (int g = 0; g < grasp.count; ++g) {
     TouchPoint p;
-    p.hand = hand;
+    p.hand = holder;
     p.grasp = true;
-    p.triangle = t.graspTriangle[g];
-    p.weight = t.graspWeight[g];
-    p.toolPoint = t.proxy.apply(t.graspLocal[g]);
+    p.triangle = grasp.triangle[g];
+    p.weight = grasp.weight[g];
+    p.toolPoint = jaws.apply(grasp.local[g]);
     p.slide = pointOn(m.surface, s.tissue.position, p.triangle, p.weight) - p.toolPoint;
-    p.old = p.force = t.graspForce[g];
-    p.slipLimit = toolOf(m, s, hand).gripForce / t.graspCount;
+    p.old = p.force = grasp.force[g];
+    p.slipLimit = gripForce / grasp.count;
     s.work.touch.point[s.work.touch.count++] = p;
   }
+}
+
+void findGrasps(const Model& m, int hand, State& s) {
+  const ToolState& t = s.tools[hand];
+  appendGrasp(m, hand, t.proxy, toolOf(m, s, hand).gripForce, t.grasp, s);
 }
 
 }  // namespace halsted

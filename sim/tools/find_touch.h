@@ -14,6 +14,12 @@ void listNearTriangles(const Model&, int hand, State&);   // at once
 void findContacts(const Model&, int hand, const Pose& before, State&);
 void findGrasps(const Model&, int hand, State&);
 
+/// Appends what a pair of jaws holds; `holder` as in TouchPoint.
+void appendGrasp(const Model&, int holder, const Pose& jaws, double gripForce, const TissueGrasp&, State&);   // [N]
+
+/// Does a triangle share a corner with one that is held?
+bool isHeld(const Model&, const TissueGrasp&, int triangle);
+
 /// Where the tool would touch first, nearest first, within `margin` [m] of its surface: at most one point for each way it may go.
 /// Returns how many.
 int findAhead(const Model&, int hand, const State&, double margin, std::span<TouchPoint> found);

@@ -24,8 +24,8 @@ constexpr double kSlipReach = 1.5;             // [1] of the capture radius: tis
 constexpr int kScan = 64;                      // samples along the needle when looking for what the jaws hold
 
 /// Distance of a point from the middle line of the jaws [m].
-double fromJaws(const ToolState& t, const Vec3& p) {
-  const Vec3 a = t.proxy.position, b = t.proxy.apply(Vec3(0.0, 0.0, kJawDepth));
+double fromJaws(const Pose& jaws, const Vec3& p) {
+  const Vec3 a = jaws.position, b = jaws.apply(Vec3(0.0, 0.0, kJawDepth));
   return (p - a - closestOnSegment(p, a, b) * (b - a)).norm();
 }
 
@@ -35,7 +35,7 @@ bool graspNeedle(const Model& m, int hand, State& s) {
   const double arc = tipCoordinate(m.strand) - m.strand.length;
   for (int i = 0; i <= kScan; ++i) {
     const double coordinate = m.strand.length + 1e-9 + arc * i / kScan;
-    const double d = fromJaws(t, strandPoint(m.strand, s.strand, coordinate));
+    const double d = fromJaws(t.proxy, strandPoint(m.strand, s.strand, coordinate));
     if (d >= best) continue;
     best = d;
     t.holdsNeedle = true;
@@ -54,7 +54,7 @@ bool graspThread(const Model& m, int hand, State& s) {
     for (int half = 0; half < 2; ++half) {
       const double coordinate = coordinateAt(m.strand, i, 0.5 * half);
       if (partedAt(m, s, coordinate)) continue;
-      const double d = fromJaws(t, strandPoint(m.strand, s.strand, coordinate));
+      const double d = fromJaws(t.proxy, strandPoint(m.strand, s.strand, coordinate));
       if (d < best) { best = d; t.threadCoordinate = coordinate; }
     }
   }
@@ -66,7 +66,7 @@ bool graspTissue(const Model& m, int hand, State& s) {
   ToolState& t = s.tools[hand];
   const double reach = toolOf(m, s, hand).captureRadius;
   const Vec3 a = t.proxy.position, b = t.proxy.apply(Vec3(0.0, 0.0, kJawDepth));
-  for (std::size_t f = 0; f < m.surface.triangles.size() && t.graspCount < ToolState::kMaxGrasp; ++f) {
+  for (std::size_t f = 0; f < m.surface.triangles.size() && t.grasp.count < TissueGrasp::kMost; ++f) {
     if (s.cut && !exposed(m.surface, s.tissue.gone, static_cast<int>(f))) continue;
     const auto& v = m.surface.triangles[f];
     const auto& x = s.tissue.position;
@@ -75,30 +75,29 @@ bool graspTissue(const Model& m, int hand, State& s) {
     if (near.squaredDistance > reach * reach) continue;
     const Vec3 p = mix(near.weight, x[v[0]], x[v[1]], x[v[2]]);
     bool taken = false;
-    for (int g = 0; g < t.graspCount; ++g) taken = taken || (t.proxy.apply(t.graspLocal[g]) - p).norm() < 1.5e-3;
+    for (int g = 0; g < t.grasp.count; ++g) taken = taken || (t.proxy.apply(t.grasp.local[g]) - p).norm() < 1.5e-3;
     if (taken) continue;
-    const int g = t.graspCount++;
-    t.graspTriangle[g] = static_cast<std::int32_t>(f);
-    t.graspWeight[g] = near.weight;
-    t.graspLocal[g] = t.proxy.inverseApply(p);
-    t.graspForce[g].setZero();
+    const int g = t.grasp.count++;
+    t.grasp.triangle[g] = static_cast<std::int32_t>(f);
+    t.grasp.weight[g] = near.weight;
+    t.grasp.local[g] = t.proxy.inverseApply(p);
+    t.grasp.force[g].setZero();
   }
-  return t.graspCount > 0;
+  return t.grasp.count > 0;
+}
+
+/// The force of one held point is no longer the tissue's.
+void takeBack(const Model& m, const TissueGrasp& grasp, int g, State& s) {
+  const auto& v = m.surface.triangles[grasp.triangle[g]];
+  for (int k = 0; k < 3; ++k) s.work.change[v[k]] -= grasp.weight[g][k] * grasp.force[g];
 }
 
 void release(const Model& m, int hand, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];
   if (t.holdsNeedle) pushEvent(out, {s.step, EventKind::kNeedleReleased, hand, -1, t.needleForce.norm()});
   if (t.threadCoordinate >= 0.0) pushEvent(out, {s.step, EventKind::kThreadReleased, hand, -1, t.threadForce.norm()});
-  if (t.graspCount > 0) pushEvent(out, {s.step, EventKind::kTissueReleased, hand, -1, touchForce(t).norm()});
-  for (int g = 0; g < t.graspCount; ++g) {
-    const auto& v = m.surface.triangles[t.graspTriangle[g]];
-    for (int k = 0; k < 3; ++k) s.work.change[v[k]] -= t.graspWeight[g][k] * t.graspForce[g];
-    t.graspTriangle[g] = -1;
-    t.graspWeight[g] = {};
-    t.graspLocal[g] = t.graspForce[g] = Vec3::Zero();
-  }
-  t.graspCount = 0;
+  if (t.grasp.count > 0) pushEvent(out, {s.step, EventKind::kTissueReleased, hand, -1, touchForce(t).norm()});
+  letGoOfTissue(m, t.grasp, s);
   t.holdsNeedle = false;
   t.needleForce = t.threadForce = Vec3::Zero();
   t.threadCoordinate = -1.0;
@@ -110,7 +109,7 @@ void close(const Model& m, int hand, State& s, StepOutput& out) {
   if (cutThread(m, hand, s, out)) return;
   if (graspNeedle(m, hand, s)) pushEvent(out, {s.step, EventKind::kNeedleGrasped, hand, -1, s.tools[hand].needleCoordinate});
   else if (graspThread(m, hand, s)) pushEvent(out, {s.step, EventKind::kThreadGrasped, hand, -1, s.tools[hand].threadCoordinate});
-  else if (graspTissue(m, hand, s)) pushEvent(out, {s.step, EventKind::kTissueGrasped, hand, s.tools[hand].graspCount, 0.0});
+  else if (graspTissue(m, hand, s)) pushEvent(out, {s.step, EventKind::kTissueGrasped, hand, s.tools[hand].grasp.count, 0.0});
 }
 
 /// Where the tool would be if `own` were not pulling on it [m]: the spring of the coupling is then in series with the grip's.
@@ -124,15 +123,20 @@ double seriesStiffness(const Model& m, int hand) {
 
 }  // namespace
 
-void dropGraspPoint(ToolState& t, int g) {
-  const int last = --t.graspCount;
-  t.graspTriangle[g] = t.graspTriangle[last];
-  t.graspWeight[g] = t.graspWeight[last];
-  t.graspLocal[g] = t.graspLocal[last];
-  t.graspForce[g] = t.graspForce[last];
-  t.graspTriangle[last] = -1;
-  t.graspWeight[last] = {};
-  t.graspLocal[last] = t.graspForce[last] = Vec3::Zero();
+void dropGraspPoint(TissueGrasp& grasp, int g) {
+  const int last = --grasp.count;
+  grasp.triangle[g] = grasp.triangle[last];
+  grasp.weight[g] = grasp.weight[last];
+  grasp.local[g] = grasp.local[last];
+  grasp.force[g] = grasp.force[last];
+  grasp.triangle[last] = -1;
+  grasp.weight[last] = {};
+  grasp.local[last] = grasp.force[last] = Vec3::Zero();
+}
+
+void letGoOfTissue(const Model& m, TissueGrasp& grasp, State& s) {
+  for (int g = 0; g < grasp.count; ++g) takeBack(m, grasp, g, s);
+  while (grasp.count > 0) dropGraspPoint(grasp, grasp.count - 1);
 }
 
 namespace {
@@ -218,23 +222,26 @@ void settleGrasp(const Model& m, int hand, const GraspLinks& links, State& s, St
   updateProxy(m, hand, s);
 }
 
+bool slideThroughJaws(const Model& m, const ToolParams& tool, const Pose& jaws, TissueGrasp& grasp, State& s) {
+  const int before = grasp.count;
+  if (before == 0) return false;
+  const double limit = tool.gripForce / before;                  // [N] a point's share
+  for (int g = before - 1; g >= 0; --g) {
+    if (grasp.force[g].squaredNorm() < kSlipping * limit * limit) continue;
+    const Vec3 now = pointOn(m.surface, s.tissue.position, grasp.triangle[g], grasp.weight[g]);
+    grasp.local[g] = jaws.inverseApply(now);
+    if (fromJaws(jaws, now) < kSlipReach * tool.captureRadius) continue;
+    takeBack(m, grasp, g, s);
+    dropGraspPoint(grasp, g);
+  }
+  return grasp.count < before;
+}
+
 void slipGrasp(const Model& m, int hand, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];
-  if (t.graspCount == 0) return;
-  const double limit = toolOf(m, s, hand).gripForce / t.graspCount, reach = toolOf(m, s, hand).captureRadius;   // [N] [m]
-  const int before = t.graspCount;
   const double held = touchForce(t).norm();    // [N]
-  for (int g = t.graspCount - 1; g >= 0; --g) {
-    if (t.graspForce[g].squaredNorm() < kSlipping * limit * limit) continue;
-    const Vec3 now = pointOn(m.surface, s.tissue.position, t.graspTriangle[g], t.graspWeight[g]);
-    t.graspLocal[g] = t.proxy.inverseApply(now);
-    if (fromJaws(t, now) < kSlipReach * reach) continue;
-    const auto& v = m.surface.triangles[t.graspTriangle[g]];
-    for (int k = 0; k < 3; ++k) s.work.change[v[k]] -= t.graspWeight[g][k] * t.graspForce[g];
-    dropGraspPoint(t, g);
-  }
-  if (t.graspCount == before) return;
-  if (t.graspCount == 0) pushEvent(out, {s.step, EventKind::kTissueReleased, hand, -1, held});
+  if (!slideThroughJaws(m, toolOf(m, s, hand), t.proxy, t.grasp, s)) return;
+  if (t.grasp.count == 0) pushEvent(out, {s.step, EventKind::kTissueReleased, hand, -1, held});
   out.contact[hand].puncture = true;           // what slips out may jump
 }
 

@@ -19,8 +19,12 @@ void settleGrasp(const Model&, int hand, const GraspLinks&, State&, StepOutput&)
 /// After the tissue has answered to the grasp's forces; before the tool moves on.
 void slipGrasp(const Model&, int hand, State&, StepOutput&);
 
-/// Takes one held point of tissue out of the list.
-void dropGraspPoint(ToolState&, int point);
+/// The same for any jaws: what lies past their hold is held where it lies now. True when some has left them, and its force is taken back.
+bool slideThroughJaws(const Model&, const ToolParams&, const Pose& jaws, TissueGrasp&, State&);
+
+/// Takes one held point of tissue out of the list, or all of them with their forces.
+void dropGraspPoint(TissueGrasp&, int point);
+void letGoOfTissue(const Model&, TissueGrasp&, State&);
 
 /// Total force on the hand and the proxy that follows from it: proxy = device + force / coupling.
 void updateProxy(const Model&, int hand, State&);

@@ -88,7 +88,7 @@ void writeLocalContact(const Model& m, const State& s, int hand, const ToolSampl
   c.stiffness = inSeries(k, coupling);
   c.touching = t.force.squaredNorm() > 1e-12;
   c.damping = c.touching ? Mat3(kDamping * Mat3::Identity()) : Mat3(Mat3::Zero());
-  const bool bilateral = t.graspCount > 0 || t.holdsNeedle || t.threadCoordinate >= 0.0;
+  const bool bilateral = t.grasp.count > 0 || t.holdsNeedle || t.threadCoordinate >= 0.0;
   c.planeCount = 0;
   c.ahead = false;
   if (bilateral) return;

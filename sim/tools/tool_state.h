@@ -6,9 +6,19 @@
 
 namespace halsted {
 
+/// Tissue between a pair of jaws: points of surface triangles.
+struct TissueGrasp {
+  static constexpr int kMost = 6;
+  std::int32_t count = 0;
+  std::array<std::int32_t, kMost> triangle{};
+  std::array<std::array<double, 3>, kMost> weight{};   // [1]
+  std::array<Vec3, kMost> local = zeroVectors<kMost>();   // [m] held point in the tool frame
+  std::array<Vec3, kMost> force = zeroVectors<kMost>();   // [N] on the tissue
+};
+
 /// What one hand's jaws hold and feel. Written by sim/tools.
 struct ToolState {
-  static constexpr int kMaxGrasp = 6, kMaxContacts = 24, kMaxNear = 512;
+  static constexpr int kMaxContacts = 24, kMaxNear = 512;
   Pose device;                                 // last sample consumed; nearer to the tool where the hand has given way (ToolParams::handForce)
   Pose proxy;                                  // where the simulated tool is
   double jaw = 1.0;                            // [1]
@@ -23,12 +33,7 @@ struct ToolState {
   double threadCoordinate = -1.0;              // [m] strand coordinate held, < 0 none
   Vec3 threadForce = Vec3::Zero();             // [N] on the tool
   Vec3 strandForce = Vec3::Zero();             // [N] on the tool, thread and needle lying against it
-  // Tissue in the jaws: points of surface triangles.
-  std::int32_t graspCount = 0;
-  std::array<std::int32_t, kMaxGrasp> graspTriangle{};
-  std::array<std::array<double, 3>, kMaxGrasp> graspWeight{};   // [1]
-  std::array<Vec3, kMaxGrasp> graspLocal = zeroVectors<kMaxGrasp>();    // [m] held point in the tool frame
-  std::array<Vec3, kMaxGrasp> graspForce = zeroVectors<kMaxGrasp>();    // [N] on the tissue
+  TissueGrasp grasp;                           // tissue in the jaws
   // Tissue against the tool.
   std::int32_t contactCount = 0;
   std::array<std::int32_t, kMaxContacts> contactTriangle{};
@@ -40,6 +45,6 @@ struct ToolState {
 };
 
 /// Do the jaws hold nothing?
-inline bool jawsEmpty(const ToolState& t) { return !t.holdsNeedle && t.threadCoordinate < 0.0 && t.graspCount == 0; }
+inline bool jawsEmpty(const ToolState& t) { return !t.holdsNeedle && t.threadCoordinate < 0.0 && t.grasp.count == 0; }
 
 }  // namespace halsted

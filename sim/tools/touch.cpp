@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/tools/find_touch.h"
+#include "sim/tools/standing_clamps.h"
 
 namespace halsted {
 namespace {
@@ -19,11 +20,12 @@ double tissueCompliance(const Model& m, const TouchPoint& a, const TouchPoint& b
   return sum;
 }
 
-void fillCompliance(const Model& m, TouchWork& w) {
+void fillCompliance(const Model& m, State& s) {
+  TouchWork& w = s.work.touch;
   for (int i = 0; i < w.count; ++i) {
     for (int j = i; j < w.count; ++j) {
       const TouchPoint &a = w.point[i], &b = w.point[j];
-      const double coupling = a.hand == b.hand ? 1.0 / m.params.tools[a.hand].couplingStiffness : 0.0;
+      const double coupling = a.hand == b.hand ? 1.0 / couplingOf(m, s, a.hand) : 0.0;
       const double c = tissueCompliance(m, a, b) + coupling;
       w.compliance[i * TouchWork::kMax + j] = c;
       w.compliance[j * TouchWork::kMax + i] = c;
@@ -73,16 +75,21 @@ void addNodal(const Model& m, int triangle, const std::array<double, 3>& weight,
   for (int k = 0; k < 3; ++k) nodal[v[k]] += weight[k] * f;
 }
 
+void addGrasp(const Model& m, const TissueGrasp& grasp, double sign, std::vector<Vec3>& nodal) {   // [1] [N]
+  for (int g = 0; g < grasp.count; ++g) addNodal(m, grasp.triangle[g], grasp.weight[g], sign * grasp.force[g], nodal);
+}
+
 /// Replaces the tool's stored contacts by the ones just solved.
 void store(const Model& m, State& s) {
-  std::array<int, kHands> grasp{}, contact{};
+  std::array<int, kHands + kMostClamps> grasp{};
+  std::array<int, kHands> contact{};
   for (int i = 0; i < s.work.touch.count; ++i) {
     const TouchPoint& p = s.work.touch.point[i];
     if (p.gone) continue;
-    ToolState& t = s.tools[p.hand];
     addNodal(m, p.triangle, p.weight, p.force, s.work.change);
-    if (p.grasp) { t.graspForce[grasp[p.hand]++] = p.force; continue; }
+    if (p.grasp) { graspOf(s, p.hand).force[grasp[p.hand]++] = p.force; continue; }
     if (p.force.squaredNorm() <= 0.0) continue;
+    ToolState& t = s.tools[p.hand];
     const int k = contact[p.hand]++;
     t.contactTriangle[k] = p.triangle;
     t.contactWeight[k] = p.weight;
@@ -109,20 +116,23 @@ void solveTouch(const Model& m, const std::array<Pose, kHands>& before, State& s
     findContacts(m, hand, before[hand], s);
     findGrasps(m, hand, s);
   }
-  fillCompliance(m, s.work.touch);
+  findStandingGrasps(m, s);
+  fillCompliance(m, s);
   for (int k = 0; k < kSweeps && sweep(m, s.work.touch) > kSettled * kSettled; ++k) {}
   for (const ToolState& t : s.tools) {         // what was carried into the step is replaced by what `store` adds
     for (int i = 0; i < t.contactCount; ++i) addNodal(m, t.contactTriangle[i], t.contactWeight[i], -t.contactForce[i], s.work.change);
-    for (int g = 0; g < t.graspCount; ++g) addNodal(m, t.graspTriangle[g], t.graspWeight[g], -t.graspForce[g], s.work.change);
+    addGrasp(m, t.grasp, -1.0, s.work.change);
   }
+  for (int k = 0; s.clamps && k < s.clamps->count; ++k) addGrasp(m, s.clamps->clamp[k].grasp, -1.0, s.work.change);
   store(m, s);
 }
 
 void gatherTouchForces(const Model& m, const State& s, std::vector<Vec3>& nodal) {
   for (const ToolState& t : s.tools) {
     for (int i = 0; i < t.contactCount; ++i) addNodal(m, t.contactTriangle[i], t.contactWeight[i], t.contactForce[i], nodal);
-    for (int g = 0; g < t.graspCount; ++g) addNodal(m, t.graspTriangle[g], t.graspWeight[g], t.graspForce[g], nodal);
+    addGrasp(m, t.grasp, 1.0, nodal);
   }
+  for (int k = 0; s.clamps && k < s.clamps->count; ++k) addGrasp(m, s.clamps->clamp[k].grasp, 1.0, nodal);
 }
 
 double touchCompliance(const Model& m, const TouchPoint& p) { return tissueCompliance(m, p, p); }
@@ -130,7 +140,7 @@ double touchCompliance(const Model& m, const TouchPoint& p) { return tissueCompl
 Vec3 touchForce(const ToolState& t) {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < t.contactCount; ++i) sum -= t.contactForce[i];
-  for (int g = 0; g < t.graspCount; ++g) sum -= t.graspForce[g];
+  for (int g = 0; g < t.grasp.count; ++g) sum -= t.grasp.force[g];
   return sum;
 }
 

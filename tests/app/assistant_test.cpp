@@ -1,4 +1,4 @@
-/// What is said to the assistant is part of the record: a thread or an instrument asked for comes at the same step of the replay.
+/// What is said to the assistant is part of the record: a thread or an instrument asked for comes, a clamp offered is taken, at the same step of the replay.
 #include <fstream>
 
 #include "app/session/session_writer.h"
@@ -11,14 +11,16 @@ namespace {
 
 using halsted::testing::TemporaryFolder;
 
-/// A script of one action and a hold in `lembert`, run and recorded, then replayed from the record.
+/// A script that ends in a hold, run and recorded, then replayed from the record.
 struct Asked {
   TemporaryFolder folder;
   Scenario scenario;
   Lockstep run;
   int said = 0;                                // commands in the record
 
-  Asked(const std::string& action, const std::vector<std::string>& settings) : scenario(scenarioFromFile(script(action), settings)), run(scenario) {
+  Asked(const std::string& action, const std::vector<std::string>& settings) : Asked("lembert", "do = \"" + action + "\"\n", settings) {}
+  Asked(const std::string& scene, const std::string& actions, const std::vector<std::string>& settings)
+      : scenario(scenarioFromFile(script(scene, actions), settings)), run(scenario) {
     SessionWriter writer(session(), sessionHeader(scenario, ""));
     while (run.advance()) {
       writer.addStep(run.input(), hash(run.state()));
@@ -27,9 +29,9 @@ struct Asked {
     writer.close();
   }
   std::string session() const { return folder.file("a.halsted"); }
-  std::string script(const std::string& action) const {
+  std::string script(const std::string& scene, const std::string& actions) const {
     const std::string path = folder.file("expert.toml");
-    std::ofstream(path) << "scene = \"lembert\"\n[[action]]\ndo = \"" << action << "\"\n[[action]]\ndo = \"hold\"\nlimit_s = 0.1\n";
+    std::ofstream(path) << "scene = \"" << scene << "\"\n[[action]]\n" << actions << "[[action]]\ndo = \"hold\"\nlimit_s = 0.1\n";
     return path;
   }
   /// Empty when every step of the replay has the recorded state.
@@ -66,6 +68,23 @@ TEST(ChangeToolsCommand, IsRecordedAndReplays) {
 TEST(ChangeToolsCommand, ASceneWithoutASecondInstrumentSaysSo) {
   const Asked asked("change_tools", {});
   EXPECT_NE(asked.run.failure().find("tool.left.second"), std::string::npos);
+}
+
+const char* const kClampAndOffer = "do = \"hold_fold\"\nangle_deg = 90\ndepth_mm = 5\ntension_n = 1.0\n[[action]]\ndo = \"hand_over\"\n";
+
+TEST(HandOverCommand, IsRecordedAndReplays) {
+  const Asked asked("altemeier", kClampAndOffer, {});
+  EXPECT_EQ(asked.run.failure(), "");
+  EXPECT_EQ(asked.said, 1);
+  EXPECT_EQ(asked.run.state().clamps->count, 1);
+  EXPECT_EQ(asked.run.state().clamps->left, 2);
+  EXPECT_EQ(asked.run.state().tools[kLeft].grasp.count, 0);
+  EXPECT_EQ(asked.replayed(), "");
+}
+
+TEST(HandOverCommand, ASceneWithoutOtherClampsSaysSo) {
+  const Asked asked("altemeier", kClampAndOffer, {"assistant.clamps=0"});
+  EXPECT_NE(asked.run.failure().find("assistant.clamps"), std::string::npos);
 }
 
 }  // namespace

@@ -31,10 +31,15 @@ struct Work {
   }
 };
 
-double workOfTool(const Work& work, const ToolState& t) {   // [J]
+double workOfGrasp(const Work& work, const TissueGrasp& grasp) {   // [J]
   double sum = 0.0;                            // [J]
+  for (int i = 0; i < grasp.count; ++i) sum += work.of(grasp.triangle[i], grasp.weight[i], grasp.force[i]);
+  return sum;
+}
+
+double workOfTool(const Work& work, const ToolState& t) {   // [J]
+  double sum = workOfGrasp(work, t.grasp);     // [J]
   for (int i = 0; i < t.contactCount; ++i) sum += work.of(t.contactTriangle[i], t.contactWeight[i], t.contactForce[i]);
-  for (int i = 0; i < t.graspCount; ++i) sum += work.of(t.graspTriangle[i], t.graspWeight[i], t.graspForce[i]);
   return sum;
 }
 
@@ -43,6 +48,7 @@ double workOfTool(const Work& work, const ToolState& t) {   // [J]
 void EnergyAudit::before(const State& s) {
   position_ = s.tissue.position;
   for (int hand = 0; hand < kHands; ++hand) tool_[hand] = s.tools[hand].proxy;
+  for (int k = 0; s.clamps && k < kMostClamps; ++k) clamp_[k] = s.clamps->clamp[k].pose;
 }
 
 void EnergyAudit::after(const Model& m, const State& s) {
@@ -52,6 +58,8 @@ void EnergyAudit::after(const Model& m, const State& s) {
   gatherContactForces(m, s.strand, force_);
   for (std::size_t i = 0; i < position_.size(); ++i) work_ += (force_[i] + m.tissue.mass[i] * m.params.gravity).dot(s.tissue.position[i] - position_[i]);
   for (int hand = 0; hand < kHands; ++hand) work_ += workOfTool({m, s, position_, tool_[hand], s.tools[hand].proxy}, s.tools[hand]);
+  for (int k = 0; s.clamps && k < s.clamps->count; ++k)
+    work_ += workOfGrasp({m, s, position_, clamp_[k], s.clamps->clamp[k].pose}, s.clamps->clamp[k].grasp);
   if (++sinceLook_ < kLook) return;
   sinceLook_ = 0;
   const double energy = kineticEnergy(m, s) + elasticEnergy(m.tissue, s.tissue), balance = energy - work_;   // [J]

@@ -20,6 +20,7 @@ class EnergyAudit {
  private:
   std::vector<Vec3> position_, force_;         // [m] before the step; [N] of thread and gravity
   std::array<Pose, kHands> tool_;
+  std::array<Pose, kMostClamps> clamp_;
   double work_ = 0.0, least_ = 1e300, created_ = 0.0, most_ = 0.0;   // [J]
   int sinceLook_ = 0;                          // steps
 };

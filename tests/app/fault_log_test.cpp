@@ -102,6 +102,8 @@ TEST(EventText, SaysWhichFaultAndWhy) {
   EXPECT_EQ(eventText({1, EventKind::kStepLate, -1, 0, 0.0}, m.procedure), "fault: took longer than 3 s");
   EXPECT_EQ(eventText({1, EventKind::kThreadRefused, kRight, static_cast<int>(ThreadRefusal::kNoneLeft), 0.0}, m.procedure),
             std::string("no thread handed: ") + name(ThreadRefusal::kNoneLeft));
+  EXPECT_EQ(eventText({1, EventKind::kClampRefused, kLeft, static_cast<int>(ClampRefusal::kHoldsNothing), 0.0}, m.procedure),
+            std::string("clamp not taken over: ") + name(ClampRefusal::kHoldsNothing));
   EXPECT_EQ(eventText({1, EventKind::kStepDone, -1, 0, 0.0}, m.procedure), "step done");
 }
 

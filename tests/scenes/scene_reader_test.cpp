@@ -166,6 +166,8 @@ INSTANTIATE_TEST_SUITE_P(
     All, BadScenes,
     ::testing::Values(
         BadText{"[thread]\nspare = 2", "test.toml:3: thread.spare: needs thread.knots"},
+        BadText{"[assistant]\nclamps = 2", "test.toml:3: assistant.clamps: no hand has a clamp"},
+        BadText{"[assistant]\nclamps = 5", "test.toml:3: assistant.clamps: "},
         BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"i\"\ndone = { quantity = \"bites\", min = 1 }\nrepeat_from = \"a\"",
                 "repeat_from and repeat_until go together"},
         BadText{"[[procedure]]\nid = \"a\"\ninstruction = \"i\"\ndone = { quantity = \"bites\", min = 1 }\nagain_from = \"a\"",

@@ -42,8 +42,8 @@ bool hangsInNothing(const Model& m, const State& s) {
   for (const ToolState& t : s.tools) {
     for (int i = 0; i < t.contactCount; ++i)
       if (!bare(t.contactTriangle[i])) return true;
-    for (int g = 0; g < t.graspCount; ++g)
-      if (!bare(t.graspTriangle[g])) return true;
+    for (int g = 0; g < t.grasp.count; ++g)
+      if (!bare(t.grasp.triangle[g])) return true;
   }
   for (int i = 0; i < s.tissue.pairCount; ++i)
     if (!bare(s.tissue.pairTriangle[i]) || !s.cut->bare[s.tissue.pairVertex[i]]) return true;

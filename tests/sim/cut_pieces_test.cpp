@@ -259,9 +259,9 @@ TEST(CutPieces, AGraspOfWhatGoesHoldsNothing) {
   rig.run(20);
   rig.input.tools[kLeft].jaw = 0.0;
   rig.run(200);
-  ASSERT_GT(rig.state.tools[kLeft].graspCount, 0);
+  ASSERT_GT(rig.state.tools[kLeft].grasp.count, 0);
   for (int row : {kLineRow - 1, kLineRow, kLineRow + 1}) rig.vaporise(row);
-  EXPECT_EQ(rig.state.tools[kLeft].graspCount, 0);
+  EXPECT_EQ(rig.state.tools[kLeft].grasp.count, 0);
   EXPECT_EQ(rig.count(EventKind::kTissueReleased), 1);
   rig.run(50);
   EXPECT_LT(rig.state.tools[kLeft].force.norm(), 1e-9);

@@ -71,7 +71,7 @@ TEST(ChangeOfInstruments, IsRefusedWhileTheJawsHoldTissueOrStandInIt) {
   EXPECT_EQ(rig.change(kLeft), InstrumentRefusal::kInTheWay);
   rig.input.tools[kLeft].jaw = 0.0;
   rig.run(100);
-  ASSERT_GT(rig.state.tools[kLeft].graspCount, 0);
+  ASSERT_GT(rig.state.tools[kLeft].grasp.count, 0);
   EXPECT_EQ(rig.change(kLeft), InstrumentRefusal::kHandFull);
   EXPECT_EQ(rig.state.instruments->second[kLeft], 0);
   EXPECT_TRUE(rig.finite());

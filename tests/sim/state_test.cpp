@@ -113,7 +113,7 @@ TEST(StateFields, NamesFollowTheDeclarations) {
   EXPECT_EQ(named([](State& s) { s.strand.contacts[8].feature = 9; }), "strand.contacts[8].feature");
   EXPECT_EQ(named([](State& s) { s.strand.bitesBegun = 9; }), "strand.bitesBegun");
   EXPECT_EQ(named([](State& s) { s.tools[1].proxy.position.z() = 9; }), "tools[1].proxy.position.z");
-  EXPECT_EQ(named([](State& s) { s.tools[0].graspForce[2].x() = 9; }), "tools[0].graspForce[2].x");
+  EXPECT_EQ(named([](State& s) { s.tools[0].grasp.force[2].x() = 9; }), "tools[0].grasp.force[2].x");
   EXPECT_EQ(named([](State& s) { s.tools[0].threadCoordinate = 9; }), "tools[0].threadCoordinate");
   EXPECT_EQ(named([](State& s) { s.procedure.faults[4] = 9; }), "procedure.faults[4]");
   EXPECT_EQ(named([](State& s) { s.metrics.hands[1].started = true; }), "metrics.hands[1].started");

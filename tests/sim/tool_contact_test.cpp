@@ -129,18 +129,18 @@ struct EdgeGrasp : StepRig {
 TEST(Grasp, HoldsTheEdgeAndLiftsItWithTheHand) {
   EdgeGrasp g;
   g.close();
-  ASSERT_GT(g.state.tools[kLeft].graspCount, 0);
+  ASSERT_GT(g.state.tools[kLeft].grasp.count, 0);
   for (int k = 0; k < 200; ++k) { g.input.tools[kLeft].pose = straddling(1e-5 * k); g.step(); }
   g.run(500);
   EXPECT_LT(g.state.tools[kLeft].force.z(), -0.1);           // the wall pulls the hand back down
   const ToolState& t = g.state.tools[kLeft];
-  const double slips = g.model.params.tools[kLeft].gripForce / t.graspCount;   // [N] a point's share of the grip
+  const double slips = g.model.params.tools[kLeft].gripForce / t.grasp.count;   // [N] a point's share of the grip
   int holding = 0;
-  for (int i = 0; i < t.graspCount; ++i) {
-    if (t.graspForce[i].norm() > 0.999 * slips) continue;
+  for (int i = 0; i < t.grasp.count; ++i) {
+    if (t.grasp.force[i].norm() > 0.999 * slips) continue;
     ++holding;
-    const Vec3 held = pointOn(g.model.surface, g.state.tissue.position, t.graspTriangle[i], t.graspWeight[i]);
-    EXPECT_LT((held - t.proxy.apply(t.graspLocal[i])).norm(), 1e-6);
+    const Vec3 held = pointOn(g.model.surface, g.state.tissue.position, t.grasp.triangle[i], t.grasp.weight[i]);
+    EXPECT_LT((held - t.proxy.apply(t.grasp.local[i])).norm(), 1e-6);
   }
   EXPECT_GE(holding, 3);
 }
@@ -154,7 +154,7 @@ TEST(Grasp, ReleaseReturnsTheTissueToRest) {
   g.step();
   EXPECT_TRUE(g.happened(EventKind::kTissueReleased));
   EXPECT_TRUE(g.out.contact[kLeft].puncture);    // the force may jump
-  EXPECT_EQ(g.state.tools[kLeft].graspCount, 0);
+  EXPECT_EQ(g.state.tools[kLeft].grasp.count, 0);
   for (int k = 0; k < 2000; ++k) { g.input.tools[kLeft].pose = straddling(2e-3 + 2e-5 * k); g.step(); }
   EXPECT_LT(g.displacement(), 1e-6);
   EXPECT_LT(g.tissueSpeed(), 1e-6);
@@ -164,13 +164,13 @@ TEST(Grasp, ReleaseReturnsTheTissueToRest) {
 TEST(Grasp, SlipsOutAboveTheGripForce) {
   EdgeGrasp g;
   g.close();
-  ASSERT_GT(g.state.tools[kLeft].graspCount, 0);
+  ASSERT_GT(g.state.tools[kLeft].grasp.count, 0);
   double most = 0.0;                             // [N]
   for (int k = 0; k < 1000; ++k) {
     g.input.tools[kLeft].pose = straddling(1e-5 * k);
     g.step();
     double sum = 0.0;                            // [N]
-    for (int i = 0; i < g.state.tools[kLeft].graspCount; ++i) sum += g.state.tools[kLeft].graspForce[i].norm();
+    for (int i = 0; i < g.state.tools[kLeft].grasp.count; ++i) sum += g.state.tools[kLeft].grasp.force[i].norm();
     most = std::max(most, sum);
   }
   RecordProperty("most_n", std::to_string(most));
@@ -183,7 +183,7 @@ TEST(Grasp, SlipsOutAboveTheGripForce) {
 TEST(Grasp, AfterASlipItHoldsWhereItLies) {
   EdgeGrasp g;
   g.close();
-  ASSERT_GT(g.state.tools[kLeft].graspCount, 0);
+  ASSERT_GT(g.state.tools[kLeft].grasp.count, 0);
   double rise = 0.0, most = 0.0;                 // [m] [N]
   const auto lift = [&](double by) {             // [m]
     rise += by;
@@ -192,7 +192,7 @@ TEST(Grasp, AfterASlipItHoldsWhereItLies) {
     return -g.state.tools[kLeft].force.z();      // [N] the wall pulls the hand down
   };
   int slid = 0;                                  // steps
-  for (int k = 0; k < 4000 && slid < 150 && g.state.tools[kLeft].graspCount > 0; ++k) {
+  for (int k = 0; k < 4000 && slid < 150 && g.state.tools[kLeft].grasp.count > 0; ++k) {
     const double before = most, force = lift(1e-5);
     most = std::max(most, force);
     slid = most > before + 1e-4 ? 0 : slid + 1;
@@ -200,8 +200,8 @@ TEST(Grasp, AfterASlipItHoldsWhereItLies) {
   ASSERT_EQ(slid, 150) << "1.5 mm under an even pull: it slides";
   const double stuck = rise;                     // [m]
   int back = 0;                                  // steps
-  while (back < 2000 && lift(-1e-5) > 0.1 * most && g.state.tools[kLeft].graspCount > 0) ++back;
-  ASSERT_GT(g.state.tools[kLeft].graspCount, 0);
+  while (back < 2000 && lift(-1e-5) > 0.1 * most && g.state.tools[kLeft].grasp.count > 0) ++back;
+  ASSERT_GT(g.state.tools[kLeft].grasp.count, 0);
   const double stretch = most / 1000.0 + 6e-3;   // [m] of coupling and wall under the grip force
   RecordProperty("back_mm", std::to_string((stuck - rise) * 1e3));
   RecordProperty("most_n", std::to_string(most));
@@ -214,7 +214,7 @@ TEST(Grasp, AfterASlipItHoldsWhereItLies) {
 TEST(Grasp, LetsGoOfWhatSlipsOutOfTheJaws) {
   EdgeGrasp g;
   g.close();
-  ASSERT_GT(g.state.tools[kLeft].graspCount, 0);
+  ASSERT_GT(g.state.tools[kLeft].grasp.count, 0);
   bool released = false;
   for (int k = 0; k < 3000; ++k) {
     g.input.tools[kLeft].pose = straddling(1e-5 * k);
@@ -222,7 +222,7 @@ TEST(Grasp, LetsGoOfWhatSlipsOutOfTheJaws) {
     released = released || g.happened(EventKind::kTissueReleased);
   }
   EXPECT_TRUE(released);
-  EXPECT_EQ(g.state.tools[kLeft].graspCount, 0);
+  EXPECT_EQ(g.state.tools[kLeft].grasp.count, 0);
   EXPECT_EQ(g.state.tools[kLeft].force, Vec3::Zero());
   g.run(1500);
   EXPECT_LT(g.displacement(), 1e-6);
