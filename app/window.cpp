@@ -168,9 +168,8 @@ bool Window::closed() const { return glfwWindowShouldClose(parts_->window) != 0;
 bool Window::helpVisible() const { return parts_->help; }
 bool Window::otherView() const { return parts_->otherView; }
 bool Window::takeThreadAsked() { return std::exchange(parts_->threadAsked, false); }
-bool Window::takeClampAsked() { return std::exchange(parts_->clampAsked, false); }
-
 bool Window::takeInstrumentsAsked() { return std::exchange(parts_->instrumentsAsked, false); }
+bool Window::takeClampAsked() { return std::exchange(parts_->clampAsked, false); }
 const HandTarget& Window::target() const { return parts_->hand; }
 
 }  // namespace halsted::app

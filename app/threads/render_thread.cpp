@@ -10,7 +10,7 @@
 namespace halsted::app {
 namespace {
 
-const char* const kHelp = "mouse: move  wheel: nearer, farther  right drag: turn  left button or space: close the jaws  C: cut open  N: new thread  T: other instruments  Esc: end";
+const char* const kHelp = "mouse: move  wheel: nearer, farther  right drag: turn  left button, space: close the jaws  C: cut open  N: thread  T: instruments  H: hand a clamp over  Esc: end";
 
 /// Rates over the last half second, for the panel.
 struct RateMeter {
