@@ -1,6 +1,7 @@
 #include "app/frame_writer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
@@ -48,6 +49,7 @@ void FrameWriter::see(const Lockstep& run) {
   const StepOutput& output = run.output();
   for (int i = 0; i < output.eventCount; ++i) banner_.tell(output.events[i], run.scenario().model, run.time());
   const double late = run.time() + 1e-9;       // [s]
+  if (!begun_) beginAt(run.time());
   const bool frameDue = late >= static_cast<double>(videoFrames_) / options_.fps;
   const bool timeDue = nextTime_ < options_.times.size() && late >= options_.times[nextTime_];
   const bool toVideo = frameDue && parts_->video, everyFrame = frameDue && options_.times.empty();
@@ -55,6 +57,12 @@ void FrameWriter::see(const Lockstep& run) {
   if (frameDue) ++videoFrames_;
   while (nextTime_ < options_.times.size() && late >= options_.times[nextTime_]) ++nextTime_;
   if (toVideo || toFile) drawFrame(run, toVideo, toFile);
+}
+
+void FrameWriter::beginAt(double time) {
+  begun_ = true;
+  firstFrame_ = videoFrames_ = static_cast<std::uint64_t>(std::ceil(time * options_.fps - 1e-9));
+  while (nextTime_ < options_.times.size() && options_.times[nextTime_] < time - 1e-9) ++nextTime_, ++tooEarly_;
 }
 
 void FrameWriter::drawFrame(const Lockstep& run, bool toVideo, bool toFile) {
@@ -82,9 +90,10 @@ std::string FrameWriter::finish() {
     } catch (const std::exception& reason) {
       throw SystemFault(reason.what());
     }
-    text += "  video " + options_.video + ": " + std::to_string(videoFrames_) + " frames at " + number("%g Hz", options_.fps) + "\n";
+    text += "  video " + options_.video + ": " + std::to_string(videoFrames_ - firstFrame_) + " frames at " + number("%g Hz", options_.fps) + "\n";
   }
   if (!options_.folder.empty()) text += "  " + std::to_string(files_) + " PNG frames in " + options_.folder + (files_ ? ", last " + lastFile_ : "") + "\n";
+  if (tooEarly_ > 0) text += "  " + std::to_string(tooEarly_) + " of the times lie before the run begins\n";
   if (nextTime_ < options_.times.size())
     text += "  " + std::to_string(options_.times.size() - nextTime_) + " of the times lie after the end of the run\n";
   return text;

@@ -28,13 +28,15 @@ class FrameWriter {
   std::string finish();
 
  private:
+  void beginAt(double time);                   // [s] of the first state seen
   void drawFrame(const Lockstep&, bool toVideo, bool toFile);
 
   struct Parts;
   FrameOptions options_;
   std::unique_ptr<Parts> parts_;
-  std::uint64_t videoFrames_ = 0, files_ = 0;
-  std::size_t nextTime_ = 0;
+  bool begun_ = false;
+  std::uint64_t firstFrame_ = 0, videoFrames_ = 0, files_ = 0;   // of the video, on from the start of the session; PNG files written
+  std::size_t nextTime_ = 0, tooEarly_ = 0;
   std::string lastFile_;
   Banner banner_;
 };

@@ -1,10 +1,26 @@
 #include "app/lockstep.h"
 
+#include "app/run_summary.h"
+
 namespace halsted::app {
 
 Lockstep::Lockstep(const Scenario& scenario)
     : scenario_(scenario), state_(initialState(scenario.model, scenario.start)), surgeons_(scenario) {
   for (int hand = 0; hand < kHands; ++hand) hands_[hand] = makeHand(scenario.devices[hand], scenario.start[hand]);
+}
+
+void Lockstep::seek(double seconds) {
+  const double dt = scenario_.model.params.dt; // [s]
+  SessionReader* recording = scenario_.recording.get();
+  if (!recording) throw scenes::InputError("--from needs a recorded session, not a script");
+  const double end = static_cast<double>(recording->steps()) * dt;
+  if (seconds >= end) throw scenes::InputError(recording->path() + ": --from " + number("%g s", seconds) + ": the session ends at " + number("%g s", end));
+  const auto step = recording->storedBefore(static_cast<std::uint64_t>(seconds / dt + 0.5));
+  if (!step) return;
+  std::string error;
+  if (!load(*recording->stateAfter(*step), state_, error)) throw scenes::InputError(recording->path() + ": state after step " + std::to_string(*step) + ": " + error);
+  if (state_.step != *step) throw scenes::InputError(recording->path() + ": state after step " + std::to_string(*step) + ": it is of step " + std::to_string(state_.step));
+  recording->seek(*step);
 }
 
 bool Lockstep::readHands() {

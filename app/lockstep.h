@@ -16,6 +16,10 @@ class Lockstep {
  public:
   explicit Lockstep(const Scenario&);          // the scenario must outlive it
 
+  /// Goes on from the last whole state that the recording holds at or before this time, or from the start where there is none. Throws
+  /// scenes::InputError: no recording, nothing recorded so late, a stored state of another model.
+  void seek(double seconds);                   // [s]
+
   /// One physics step; false when there was nothing left to do: the scripts have ended, or the recording.
   bool advance();
 

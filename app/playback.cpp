@@ -48,10 +48,11 @@ void pace(const std::chrono::steady_clock::time_point& start, double simulated) 
 double runThrough(const PlayOptions& options, Lockstep& run, Audience& audience) {
   const Stopwatch watch;
   const auto start = std::chrono::steady_clock::now();
+  const double begin = run.time();             // [s]
   Progress progress;
   if (audience.watcher) audience.watcher(run);
   while (run.advance() && audience.see(run)) {
-    if (options.realtime) pace(start, run.time());
+    if (options.realtime) pace(start, run.time() - begin);
     progress.show(run.time(), options.file);
   }
   return watch.seconds();
@@ -60,6 +61,7 @@ double runThrough(const PlayOptions& options, Lockstep& run, Audience& audience)
 /// What would fail at the end is better said before a run of minutes.
 void checkOptions(const PlayOptions& options, const Scenario& scenario) {
   std::error_code ignored;
+  if (options.from > 0.0 && !options.record.empty()) throw scenes::InputError(options.record + ": --record begins at the start; leave out --from");
   if (options.verify && !scenario.recording) throw scenes::InputError(options.file + ": --verify needs a recorded session, not a script");
   if (!options.record.empty() && std::filesystem::equivalent(options.record, options.file, ignored))
     throw scenes::InputError(options.record + ": --record would overwrite the file that is replayed");
@@ -98,6 +100,7 @@ int play(const PlayOptions& options, const WatcherMaker& makeWatcher) {
   const Scenario scenario = scenarioFromFile(options.file, options.overrides);
   checkOptions(options, scenario);
   Lockstep run(scenario);
+  if (options.from > 0.0) run.seek(options.from);
   Audience audience{nullptr, nullptr, nullptr, Trace(scenario.model.params.dt)};
   if (!options.record.empty()) audience.recorder = std::make_unique<SessionWriter>(options.record, sessionHeader(scenario, ""));
   if (options.verify) audience.verifier = std::make_unique<Verifier>();

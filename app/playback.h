@@ -13,6 +13,7 @@ struct PlayOptions {
   std::string file;
   std::vector<std::string> overrides;          // --set
   bool verify = false, realtime = false, json = false, requireComplete = false;
+  double from = 0.0;                           // [s] a recorded session goes on from the last whole state stored by then
   std::string record, report;                  // files to write; empty: none
 };
 

@@ -42,7 +42,7 @@ RunSummary summariseRun(const std::string& scene, const std::string& title, cons
   for (const auto& row : summariseStitches(model, state)) run.metrics.push_back(row);
   run.stateHash = hash(state);
   run.stepMilliseconds = steps.percentiles(1e3);
-  run.realtimeFactor = wall > 0.0 ? simulated / wall : 0.0;
+  run.realtimeFactor = wall > 0.0 ? static_cast<double>(steps.count()) * run.dt / wall : 0.0;
   return run;
 }
 

@@ -58,6 +58,8 @@ void addPlayOptions(CLI::App& command, PlayOptions& play) {
   command.add_flag("--verify", play.verify, "check the hash of every state against the recording; exit code 1 when one differs");
   command.add_option("--record", play.record, "write a session file");
   command.add_option("--report", play.report, "write an HTML report: procedure, metrics, forces");
+  command.add_option("--from", play.from, "go on from the last whole state that a recorded session holds by then, in seconds (one every 5000 steps)")
+      ->check(CLI::Range(0.0, 1e9));
   command.add_flag("--json", play.json, "print the outcome as JSON");
   command.add_flag("--require-complete", play.requireComplete, "exit code 1 unless the whole procedure was completed");
 }
@@ -76,8 +78,9 @@ void addCapture(CLI::App& app, CommandLine& line) {
   command->add_option("--video", line.frames.video, "video file (.mp4), needs ffmpeg");
   command->add_option("--fps", line.frames.fps, "frames per second of simulated time")->capture_default_str()->check(CLI::Range(0.1, 1000.0));
   command->add_option("--size", line.size, "WIDTHxHEIGHT in pixels (default 1280x720)");
-  command->add_option("--at", line.frames.times, "PNG frames at these times only, in seconds: 5,20,60")->delimiter(',')->check(CLI::NonNegativeNumber);
-  command->footer("Example: halsted capture run.halsted --video run.mp4 --fps 30 --size 1280x720 --out frames --at 5,20,60");
+  command->add_option("--at", line.frames.times, "PNG frames at these times only, in seconds: 5,20,60")->delimiter(',')->check(CLI::Range(0.0, 1e9));
+  command->footer("Example: halsted capture run.halsted --video run.mp4 --fps 30 --size 1280x720 --out frames --at 5,20,60\n"
+                  "Example: halsted capture run.halsted --out frames --from 370 --at 372,380");
 }
 
 void addTrain(CLI::App& app, CommandLine& line) {

@@ -6,7 +6,7 @@
 ///   start(hand, pose)                     where the tools began
 ///   chunk(first_step, count, inputs, hashes)   consumed StepInputs (step_codec) and the state hash after each
 ///   event(step, kind, hand, idx, value)   what happened
-///   state(step, content)                  a whole state now and then: says which field differs when a hash does
+///   state(step, content)                  a whole state now and then: where a replay can begin, and which field differs when a hash does
 ///   haptic(first_tick, count, records)    what the devices were sent, real time only
 #include <array>
 #include <cstdint>

@@ -118,12 +118,12 @@ void SessionReader::countSteps() {
 }
 
 void SessionReader::loadChunk() {
-  Statement row = database_->prepare("SELECT inputs, hashes FROM chunk WHERE first_step=?");
+  Statement row = database_->prepare("SELECT inputs, hashes, first_step FROM chunk WHERE first_step<=? ORDER BY first_step DESC LIMIT 1");
   row.bind(1, static_cast<std::int64_t>(nextStep_));
   if (!row.step()) reject("chunk at step " + std::to_string(nextStep_) + ": missing");
   inputs_ = row.blob(0);
   hashes_ = row.blob(1);
-  chunkStart_ = nextStep_;
+  chunkStart_ = static_cast<std::uint64_t>(row.integer(2));
   if (inputs_.empty() || hashes_.empty() || inputs_.size() / kStepInputBytes != hashes_.size() / 8)
     reject("chunk at step " + std::to_string(nextStep_) + ": its data has the wrong size");
 }
@@ -148,6 +148,23 @@ std::optional<std::vector<std::uint8_t>> SessionReader::stateAfter(std::uint64_t
     if (row.step()) found = row.blob(0);
   });
   return found;
+}
+
+std::optional<std::uint64_t> SessionReader::storedBefore(std::uint64_t step) {
+  std::optional<std::uint64_t> found;
+  guarded([&] {
+    Statement row = database_->prepare("SELECT step FROM state WHERE step<=? ORDER BY step DESC LIMIT 1");
+    row.bind(1, static_cast<std::int64_t>(step));
+    if (row.step()) found = static_cast<std::uint64_t>(row.integer(0));
+  });
+  return found;
+}
+
+void SessionReader::seek(std::uint64_t step) {
+  nextStep_ = step;
+  inputs_.clear();
+  hashes_.clear();
+  chunkStart_ = step;
 }
 
 }  // namespace halsted::app

@@ -24,6 +24,10 @@ class SessionReader {
   bool next(StepInput&, std::uint64_t& stateHash);
   /// The whole state stored after exactly this many steps, if there is one.
   std::optional<std::vector<std::uint8_t>> stateAfter(std::uint64_t step);
+  /// The last step, no later than this one, after which a whole state was stored.
+  std::optional<std::uint64_t> storedBefore(std::uint64_t step);
+  /// `next` goes on with the input of the step after this many.
+  void seek(std::uint64_t step);
 
  private:
   void open();
