@@ -1,9 +1,7 @@
 #include <cmath>
 
-#include "scenes/expert_state.h"
+#include "scenes/bite_watch.h"
 #include "sim/portable_math.h"
-#include "sim/suture/hole_sides.h"
-#include "sim/suture/holes.h"
 
 namespace halsted::scenes {
 namespace {
@@ -16,7 +14,6 @@ constexpr double kSweepSpeed = 0.012;          // [m/s] along the arc
 constexpr double kDip = 0.6e-3;                // [m] below the places
 constexpr double kDeeper = 0.8e-3, kShallower = 0.5e-3;        // [m] after a needle that slid along the wall; that came out on its inside
 constexpr int kAttempts = 4;
-constexpr double kPerforated = 0.5;            // [1] of the planned width: out again so soon, the needle has gone straight through
 constexpr double kPressAngle = 0.2;            // [rad] past the planned entry: still not through, the surgeon presses instead of turning
 constexpr double kPressSpeed = 0.012, kPressMost = 0.010;      // [m/s] [m] along the needle's point
 constexpr double kDrawSpeed = 0.02;            // [m/s] needle out along the arc
@@ -53,9 +50,6 @@ double gently(const Scene& s, double speed) { return s.action.across ? kGently *
 /// The circle as far as pressing has carried it along.
 Pose onPressedCircle(const Scene& s) { return onCircle(s, s.memory.pressed * s.memory.pressAlong); }
 
-/// Has the tip gone in?
-bool entered(const State& s, std::int32_t bite) { return s.strand.holeCount > 0 && s.strand.holes[s.strand.holeCount - 1].bite >= bite; }
-
 /// Turns the needle a step further, or presses while the wall only gives way.
 void turnOrPress(const Scene& s, double most) {
   ExpertState& e = s.memory;
@@ -73,30 +67,6 @@ void goTo(const Scene& s, int phase) {
   s.memory.phaseStart = s.state.step;
 }
 
-/// The exit hole of the bite under way, once the tip has come out; nullptr before.
-const Hole* exitHole(const State& s, std::int32_t bite) {
-  for (int i = s.strand.holeCount - 1; i >= 0; --i) {
-    const Hole& h = s.strand.holes[i];
-    if (h.bite >= bite && (h.role == static_cast<int>(HoleRole::kExit) || h.role == static_cast<int>(HoleRole::kPassed))) return &h;
-  }
-  return nullptr;
-}
-
-/// Has it come out and caught the wall again?
-bool tipInWall(const State& s) {
-  return s.strand.holeCount > 0 && s.strand.holes[s.strand.holeCount - 1].role == static_cast<int>(HoleRole::kTip);
-}
-
-/// How often the tip has come out of the wall in the bite under way: through the lumen it does twice.
-int exits(const Scene& s) {
-  int count = 0;
-  for (int i = 0; i < s.state.strand.holeCount; ++i) {
-    const Hole& h = s.state.strand.holes[i];
-    count += h.bite >= s.memory.bite && (h.role == static_cast<int>(HoleRole::kExit) || h.role == static_cast<int>(HoleRole::kPassed));
-  }
-  return count;
-}
-
 /// The needle is off the wall again: once more, lower or higher, or this surgeon cannot do it.
 void again(const Scene& s, double lower, std::string& failure) {   // [m]
   ExpertState& e = s.memory;
@@ -107,17 +77,6 @@ void again(const Scene& s, double lower, std::string& failure) {   // [m]
   e.dip += lower;
   e.pressed = 0.0;
   goTo(s, kBackOff);
-}
-
-/// Has the tip come out where it should not: so near to where it went in that it is through the wall, in the lumen; or, where that is
-/// wanted, on the outside at once?
-bool astray(const Scene& s) {
-  const Hole* exit = exitHole(s.state, s.memory.bite);
-  if (exit == nullptr || exit == s.state.strand.holes.data()) return false;
-  if (s.action.through) return exits(s) == 1 && !onMucosa(s.model, *exit);
-  if (s.action.across) return exits(s) == 1 && onMucosa(s.model, *exit);        // out of the first wall on the side on which it went in
-  const std::span<const Vec3> rest = s.model.mesh.vertices;
-  return (holePoint(s.model, *exit, rest) - holePoint(s.model, *(exit - 1), rest)).norm() < kPerforated * s.action.width;
 }
 
 /// Back along the arc until the wall is free of the needle, then a new bite, shallower; deeper, if it was to go through.
@@ -210,7 +169,8 @@ void drive(const Scene& s, std::string& failure) {
     const double most = e.plan.exitAngle + (out ? kLeadOut : kLeadOutMost);
     turnOrPress(s, most);
     moveHand(s, kRight, toolFor(s, kRight, onPressedCircle(s)), 0.05);
-    if (astray(s)) goTo(s, kWithdraw);
+    if (slidAway(s)) again(s, kDeeper, failure);
+    else if (astray(s)) goTo(s, kWithdraw);
     else if (out && e.tipAngle >= most) { e.goal[kLeft] = above(e.hand[kLeft].command, 0.02); goTo(s, kLetRim); }
     else if (!out && e.tipAngle >= most && s.inPhase > 3.0) {
       if (s.action.through) goTo(s, kWithdraw);

@@ -16,6 +16,7 @@ constexpr double kTight = 0.15;                // [N] at the winding hand: a loo
 constexpr double kDrawsOn = 0.5, kCaught = 6.0; // [N] of thread on the driver: it goes no farther; [s] then the loop is caught on something
 constexpr double kArrived = 1e-3, kSettle = 0.6;   // [m] of the jaws from the tail: the device is behind its hand; [s] pressed on tissue, it comes no nearer
 constexpr double kShort = 4e-3;                // [m] that the driver, which nothing holds, is short of its place where its device stops
+constexpr int kLoopTaken = 2;                  // misses of the tail: a loop that comes between the jaws again lies badly and is wound anew
 constexpr double kLost = 0.6;                  // [1] of a turn less than planned: the loop has slid off
 
 /// A winding hand that feels its thread gives way, the sooner the more it feels: a first throw bears less than a tenth of a newton.
@@ -42,6 +43,12 @@ bool loopLost(const Scene& s) { return woundRoundDriver(s) < s.memory.knot.throw
 bool wouldBeCut(const Scene& s) {
   const int i = s.memory.hand[kRight].jaw > 0.5 ? threadBetweenBlades(s.model, kRight, s.state) : -1;
   return i >= 0 && s.model.strand.place[i] < s.state.tools[kLeft].threadCoordinate;
+}
+
+/// Has the driver closed on the loop that is wound round it?
+bool tookLoop(const Scene& s) {
+  const double c = s.state.tools[kRight].threadCoordinate;   // [m]
+  return c > longHole(s).coordinate && c < s.state.tools[kLeft].threadCoordinate;
 }
 
 /// Winds again, while there is patience; true when it does.
@@ -138,7 +145,7 @@ void fetchTail(const Scene& s, std::string& failure) {
     e.knot.missed = tailPlace(s);
     ++e.knot.beside;
     e.hand[kRight].jaw = 1.0;                  // whatever it has taken instead
-    goTo(s, kFollow);
+    goTo(s, tookLoop(s) && e.knot.beside % kLoopTaken == 0 ? kUnwind : kFollow);
   }
 }
 

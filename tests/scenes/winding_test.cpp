@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "scenes/expert_state.h"
 #include "scenes/tie_phases.h"
@@ -22,6 +23,17 @@ class Winding : public ::testing::Test {
   void runTo(int phase) {
     for (int k = 0; k < 30000 && memory->phase != phase; ++k) ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
     ASSERT_EQ(memory->phase, phase);
+  }
+  /// A step in which the surgeon sees the driver hold this place of the thread, whatever it holds.
+  bool seeHeld(double place) {                 // [m]
+    std::array<HandTarget, kHands> target;
+    double& held = w.state.tools[kRight].threadCoordinate;
+    const double holds = std::exchange(held, place);
+    const bool more = scenes::advanceExpert(script, w.model, w.state, *memory, target, w.failure);
+    held = holds;
+    w.follow(target);
+    w.step();
+    return more;
   }
   /// The next steps of a phase, in each of which the left hand feels its thread.
   void feel(double force, int steps) {         // [N]
@@ -115,6 +127,34 @@ TEST_F(Winding, TheTailIsTakenWhereNoOtherThreadLies) {
   w.state.strand.position[w.model.strand.nodes - 5] = strandPoint(w.model.strand, w.state.strand, usual + 1e-3);
   memory->knot.beside = 2;
   EXPECT_GT(std::fabs(scenes::tailPlace(scene) - usual - 1e-3), 3e-3);
+}
+
+/// Jaws that close on the loop instead try once more from where they are; then the loop is wound anew.
+TEST_F(Winding, ALoopTakenTwiceForTheTailIsWoundAnew) {
+  for (const int after : {scenes::kFollow, scenes::kUnwind}) {
+    runTo(scenes::kClose);
+    while (memory->phase == scenes::kClose) seeHeld(w.state.tools[kLeft].threadCoordinate - 20e-3);
+    EXPECT_EQ(memory->phase, after);
+  }
+}
+
+/// A knot that locks is done, though the tail of a further throw cannot be had; one in which nothing locks is not.
+TEST_F(Winding, AKnotThatLocksIsLeftAsItIsWhereTheTailIsNotToBeHad) {
+  runTo(scenes::kClose);
+  memory->knot.misses = scenes::kAttempts;
+  const State wound = w.state;
+  const scenes::ExpertState before = *memory;
+  for (const bool locked : {true, false}) {
+    w.state = wound;
+    *memory = before;
+    bool more = true;
+    while (more && memory->phase == scenes::kClose) {
+      if (locked) { w.state.knot.throws = 2; w.state.knot.turns = {1, 1}; w.state.knot.sense = {1, -1}; }
+      more = seeHeld(-1.0);
+    }
+    EXPECT_FALSE(more);
+    EXPECT_EQ(w.failure.empty(), locked) << w.failure;
+  }
 }
 
 /// Of a piece that was cut off short the hand has the long end where it has nearly all of it: let go for more, that would fall.
