@@ -1,7 +1,5 @@
 #include "app/lockstep.h"
 
-#include "app/run_summary.h"
-
 namespace halsted::app {
 
 Lockstep::Lockstep(const Scenario& scenario)
@@ -9,18 +7,14 @@ Lockstep::Lockstep(const Scenario& scenario)
   for (int hand = 0; hand < kHands; ++hand) hands_[hand] = makeHand(scenario.devices[hand], scenario.start[hand]);
 }
 
-void Lockstep::seek(double seconds) {
-  const double dt = scenario_.model.params.dt; // [s]
-  SessionReader* recording = scenario_.recording.get();
-  if (!recording) throw scenes::InputError("--from needs a recorded session, not a script");
-  const double end = static_cast<double>(recording->steps()) * dt;
-  if (seconds >= end) throw scenes::InputError(recording->path() + ": --from " + number("%g s", seconds) + ": the session ends at " + number("%g s", end));
-  const auto step = recording->storedBefore(static_cast<std::uint64_t>(seconds / dt + 0.5));
-  if (!step) return;
+void Lockstep::seek(std::uint64_t step) {
+  SessionReader& recording = *scenario_.recording;
+  const auto stored = recording.storedBefore(step);
+  if (!stored) return;
   std::string error;
-  if (!load(*recording->stateAfter(*step), state_, error)) throw scenes::InputError(recording->path() + ": state after step " + std::to_string(*step) + ": " + error);
-  if (state_.step != *step) throw scenes::InputError(recording->path() + ": state after step " + std::to_string(*step) + ": it is of step " + std::to_string(state_.step));
-  recording->seek(*step);
+  if (load(*recording.stateAfter(*stored), state_, error) && state_.step != *stored) error = "it is of step " + std::to_string(state_.step);
+  if (!error.empty()) throw scenes::InputError(recording.path() + ": state after step " + std::to_string(*stored) + ": " + error);
+  recording.seek(*stored);
 }
 
 bool Lockstep::readHands() {

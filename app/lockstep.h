@@ -16,9 +16,9 @@ class Lockstep {
  public:
   explicit Lockstep(const Scenario&);          // the scenario must outlive it
 
-  /// Goes on from the last whole state that the recording holds at or before this time, or from the start where there is none. Throws
-  /// scenes::InputError: no recording, nothing recorded so late, a stored state of another model.
-  void seek(double seconds);                   // [s]
+  /// Of a recording, before the first step: goes on from the last whole state that it holds after no more than so many steps, or from the
+  /// start where there is none. Throws scenes::InputError for a stored state of another model or step.
+  void seek(std::uint64_t step);
 
   /// One physics step; false when there was nothing left to do: the scripts have ended, or the recording.
   bool advance();

@@ -58,10 +58,19 @@ double runThrough(const PlayOptions& options, Lockstep& run, Audience& audience)
   return watch.seconds();
 }
 
+constexpr double kRounding = 1e-6;             // [steps] 35 s / 1 ms is not 34 999
+
+void checkFrom(const PlayOptions& options, const Scenario& scenario) {
+  if (!scenario.recording) throw scenes::InputError(options.file + ": --from needs a recorded session, not a script");
+  if (!options.record.empty()) throw scenes::InputError(options.record + ": --record begins at the start; leave out --from");
+  const double end = static_cast<double>(scenario.recording->steps()) * scenario.model.params.dt;   // [s]
+  if (options.from >= end) throw scenes::InputError(options.file + ": --from " + number("%g s", options.from) + ": the session ends at " + number("%g s", end));
+}
+
 /// What would fail at the end is better said before a run of minutes.
 void checkOptions(const PlayOptions& options, const Scenario& scenario) {
   std::error_code ignored;
-  if (options.from > 0.0 && !options.record.empty()) throw scenes::InputError(options.record + ": --record begins at the start; leave out --from");
+  if (options.from > 0.0) checkFrom(options, scenario);
   if (options.verify && !scenario.recording) throw scenes::InputError(options.file + ": --verify needs a recorded session, not a script");
   if (!options.record.empty() && std::filesystem::equivalent(options.record, options.file, ignored))
     throw scenes::InputError(options.record + ": --record would overwrite the file that is replayed");
@@ -100,7 +109,7 @@ int play(const PlayOptions& options, const WatcherMaker& makeWatcher) {
   const Scenario scenario = scenarioFromFile(options.file, options.overrides);
   checkOptions(options, scenario);
   Lockstep run(scenario);
-  if (options.from > 0.0) run.seek(options.from);
+  if (options.from > 0.0) run.seek(static_cast<std::uint64_t>(options.from / scenario.model.params.dt + kRounding));
   Audience audience{nullptr, nullptr, nullptr, Trace(scenario.model.params.dt)};
   if (!options.record.empty()) audience.recorder = std::make_unique<SessionWriter>(options.record, sessionHeader(scenario, ""));
   if (options.verify) audience.verifier = std::make_unique<Verifier>();

@@ -71,7 +71,7 @@ void goTo(const Scene& s, int phase) {
 void again(const Scene& s, double lower, std::string& failure) {   // [m]
   ExpertState& e = s.memory;
   if (entered(s.state, e.bite) || ++e.attempt >= kAttempts) {
-    failure = "the needle did not come out of the wall";
+    failure = entered(s.state, e.bite) ? "the needle did not come out of the wall" : "the needle did not go into the wall";
     return;
   }
   e.dip += lower;

@@ -66,6 +66,14 @@ bool letTailGo(const Scene& s) {
   return rise(s);
 }
 
+/// The driver goes for the tail; true where that is not to be had and the knot locks already: it is one, with a throw less than was meant.
+bool fetchOrLeave(const Scene& s, std::string& failure) {
+  fetchTail(s, failure);
+  if (failure.empty() || locks(s.state.knot) == 0) return false;
+  failure.clear();
+  return true;
+}
+
 /// The driver leaves the loop; opened inside one that is tight, its jaws would draw on the stitch.
 bool unwind(const Scene& s) {
   if (!jawsEmpty(s.state.tools[kRight])) s.memory.hand[kRight].jaw = 1.0;
@@ -81,12 +89,7 @@ bool runTie(const Scene& s, std::string& failure) {
   else if (e.phase <= kTakeLongClose) takeLongEnd(s, failure);
   else if (e.phase == kShorten) shortenTail(s);
   else if (e.phase <= kWind) wind(s);
-  else if (e.phase <= kClose) {
-    fetchTail(s, failure);
-    if (failure.empty() || locks(s.state.knot) == 0) return false;
-    failure.clear();                           // what locks already is a knot, with a throw less than was meant
-    return true;
-  }
+  else if (e.phase <= kClose) return fetchOrLeave(s, failure);
   else if (e.phase == kUnwind) { if (unwind(s)) goTo(s, kLiftLong); }
   else if (e.phase <= kCross) drawThrough(s);
   else if (e.phase == kLayTail) { if (layTail(s)) goTo(s, kLetTail); }

@@ -126,6 +126,7 @@ void SessionReader::loadChunk() {
   chunkStart_ = static_cast<std::uint64_t>(row.integer(2));
   if (inputs_.empty() || hashes_.empty() || inputs_.size() / kStepInputBytes != hashes_.size() / 8)
     reject("chunk at step " + std::to_string(nextStep_) + ": its data has the wrong size");
+  if (nextStep_ - chunkStart_ >= hashes_.size() / 8) reject("chunk at step " + std::to_string(nextStep_) + ": missing");
 }
 
 bool SessionReader::next(StepInput& input, std::uint64_t& stateHash) {

@@ -63,45 +63,41 @@ TEST(Verify, ARecordingReplaysToTheBit) {
   EXPECT_EQ(checked, 300u);
 }
 
+/// A session of so many steps with a whole state every so many, about to be replayed.
+struct Recorded {
+  TemporaryFolder folder;
+  Scenario scenario;
+  Lockstep run;
+  Recorded(int steps, int stateEvery) : scenario(recorded(steps, stateEvery)), run(scenario) {}
+
+ private:
+  Scenario recorded(int steps, int stateEvery) {
+    record(folder.file("a.halsted"), steps, stateEvery);
+    return scenarioFromFile(folder.file("a.halsted"), {});
+  }
+};
+
 TEST(Verify, AReplayCanBeginAtAStoredState) {
-  const TemporaryFolder folder;
-  record(folder.file("a.halsted"), 300, 100);
-  const Scenario scenario = scenarioFromFile(folder.file("a.halsted"), {});
-  Lockstep run(scenario);
-  run.seek(0.299);                             // [s]
-  EXPECT_EQ(run.state().step, 200u);
+  Recorded session(300, 100);
+  session.run.seek(299);
+  EXPECT_EQ(session.run.state().step, 200u);
   Verifier verifier;
-  while (run.advance() && verifier.check(run)) {}
+  while (session.run.advance() && verifier.check(session.run)) {}
   EXPECT_EQ(verifier.message(), "");
   EXPECT_EQ(verifier.stepsChecked(), 100u);
 }
 
 TEST(Verify, BeforeTheFirstStoredStateAReplayBeginsAtTheStart) {
-  const TemporaryFolder folder;
-  record(folder.file("a.halsted"), 30, 20);
-  const Scenario scenario = scenarioFromFile(folder.file("a.halsted"), {});
-  Lockstep run(scenario);
-  run.seek(0.019);                             // [s]
-  EXPECT_EQ(run.state().step, 0u);
-}
-
-TEST(Verify, WhatWasNotRecordedCannotBeSought) {
-  const TemporaryFolder folder;
-  record(folder.file("a.halsted"), 30, 20);
-  const Scenario recorded = scenarioFromFile(folder.file("a.halsted"), {}), script = expertScenario();
-  Lockstep run(recorded), scripted(script);
-  EXPECT_THROW(run.seek(0.03), scenes::InputError);
-  EXPECT_THROW(scripted.seek(0.01), scenes::InputError);
+  Recorded session(30, 20);
+  session.run.seek(19);
+  EXPECT_EQ(session.run.state().step, 0u);
 }
 
 /// The state in the file is of another step than it says, as one from another session would be.
 TEST(Verify, AStoredStateOfAnotherStepIsRefused) {
-  const TemporaryFolder folder;
-  record(folder.file("a.halsted"), 30, 20);
-  Database(folder.file("a.halsted"), Database::Mode::kRead).prepare("UPDATE state SET step=10").run();
-  const Scenario scenario = scenarioFromFile(folder.file("a.halsted"), {});
-  Lockstep run(scenario);
-  EXPECT_THROW(run.seek(0.025), scenes::InputError);
+  Recorded session(30, 20);
+  Database(session.folder.file("a.halsted"), Database::Mode::kRead).prepare("UPDATE state SET step=10").run();
+  EXPECT_THROW(session.run.seek(25), scenes::InputError);
 }
 
 TEST(Verify, AChangedSampleIsFoundAtItsStepAndByField) {

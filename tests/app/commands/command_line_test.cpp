@@ -86,6 +86,27 @@ TEST(CommandLine, WhatCannotBeWrittenIsSaidBeforeTheRun) {
   expectRefused({"replay", expertPath(), "--record", folder.file("precious.txt")}, "not overwritten");
 }
 
+/// 41 s of acupuncture, a whole state every 5 s.
+TEST(CommandLine, ASessionIsEnteredAtTheLastWholeStateByThen) {
+  const TemporaryFolder folder;
+  const std::string session = folder.file("a.halsted"), script = testing::sourceFolder() + "/scenes/acupuncture/expert.toml";
+  ASSERT_EQ(runHalsted({"replay", script, "--record", session}).exitCode, 0);
+  for (const auto& [from, checked] : {std::pair{"9.9996", "36012"}, {"12.3", "31012"}, {"35", "6012"}}) {
+    const ProcessResult result = runHalsted({"replay", session, "--verify", "--from", from});
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_THAT(result.output, HasSubstr(std::string("all ") + checked + " state hashes are equal")) << from;
+  }
+  const ProcessResult capture = runHalsted({"capture", session, "--from", "38", "--at", "3,36,37", "--out", folder.file("frames"), "--video", folder.file("a.mp4"), "--size", "320x180"});
+  EXPECT_EQ(capture.exitCode, 0) << capture.errors;
+  EXPECT_THAT(capture.output, HasSubstr("2 PNG frames"));
+  EXPECT_THAT(capture.output, HasSubstr("1 of the times lie before the run begins"));
+  EXPECT_THAT(capture.output, HasSubstr(": 181 frames at 30 Hz"));   // from 35 s to 41.012 s
+  expectRefused({"replay", session, "--from", "42"}, "a.halsted: --from 42 s: the session ends at 41.012 s");
+  expectRefused({"replay", session, "--from", "-1"}, "--from");
+  expectRefused({"replay", session, "--from", "5", "--record", folder.file("b.halsted")}, "leave out --from");
+  expectRefused({"replay", script, "--from", "5"}, "expert.toml: --from needs a recorded session");
+}
+
 TEST(CommandLine, ScenesListsPurseStringWithItsSize) {
   const ProcessResult result = runHalsted({"scenes", "--json"});
   ASSERT_EQ(result.exitCode, 0) << result.errors;
