@@ -24,7 +24,7 @@ struct Hole {
 
 /// A unilateral contact of a strand sample with tissue, a tool or a rod; kept from step to step.
 struct StrandContact {
-  std::int32_t sample = -1;                    // thread node, or nodes + needle sample
+  std::int32_t sample = -1;                    // thread node, nodes + needle sample, or all of these + the node before which it lies half-way
   std::int32_t feature = -1;                   // surface triangle, or triangles + solid index
   double normalForce = 0.0;                    // [N]
   Vec3 force = Vec3::Zero();                   // [N] on the strand

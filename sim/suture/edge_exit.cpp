@@ -29,19 +29,29 @@ void tryTriangle(const SurfaceModel& s, const SurfaceNow& now, const PressedIn& 
   best = {triangle, {1.0 - wb - wc, wb, wc}, hit, normal, -way};
 }
 
-}  // namespace
-
-SurfacePoint exitAcross(const SurfaceModel& s, const SurfaceNow& now, const PressedIn& in, double most) {
-  if (in.nearest.distance >= 0.0 || std::fabs(in.nearest.normal.dot(in.along)) < kAlong) return in.nearest;
+/// The nearest way out through those of the bare triangles round the vertex that are allowed; none: triangle -1.
+template <class Allowed> SurfacePoint wayOut(const SurfaceModel& s, const SurfaceNow& now, const PressedIn& in, double most, Allowed allowed) {   // [m]
   SurfacePoint best;
   best.distance = -most;
   const auto tryAround = [&](int v) {
     for (int e = s.triangleStart[v]; e < s.triangleStart[v + 1]; ++e)
-      if (exposed(s, now.gone, s.triangleOf[e])) tryTriangle(s, now, in, s.triangleOf[e], best);
+      if (allowed(s.triangleOf[e]) && exposed(s, now.gone, s.triangleOf[e])) tryTriangle(s, now, in, s.triangleOf[e], best);
   };
   tryAround(in.vertex);
   for (int e = s.neighbourStart[in.vertex]; e < s.neighbourStart[in.vertex + 1]; ++e) tryAround(s.neighbour[e]);
-  return best.triangle >= 0 ? best : in.nearest;
+  return best;
+}
+
+}  // namespace
+
+SurfacePoint exitAcross(const SurfaceModel& s, const SurfaceNow& now, const PressedIn& in, double most) {
+  if (in.nearest.distance >= 0.0 || std::fabs(in.nearest.normal.dot(in.along)) < kAlong) return in.nearest;
+  const SurfacePoint out = wayOut(s, now, in, most, [](int) { return true; });
+  return out.triangle >= 0 ? out : in.nearest;
+}
+
+SurfacePoint exitOverEdge(const SurfaceModel& s, const std::vector<int>& layer, const SurfaceNow& now, const PressedIn& in, double most) {
+  return wayOut(s, now, in, most, [&](int triangle) { return layer[triangle] == kEdgeFace; });
 }
 
 }  // namespace halsted

@@ -48,7 +48,7 @@ void gatherExchange(const Model& m, const StrandState& s, ExchangeWork& w) {
   const int triangles = static_cast<int>(m.surface.triangles.size());
   for (int i = 0; i < s.contactCount; ++i) {
     const StrandContact& c = s.contacts[i];
-    if (c.feature < triangles && c.sample < m.strand.nodes) add(vertexOf(m, c.feature, c.weight), w.contacts);
+    if (c.feature < triangles) add(vertexOf(m, c.feature, c.weight), w.contacts);
   }
   for (int i = 0; i < s.holeCount; ++i) add(vertexOf(m, s.holes[i]), w.holes);
 }

@@ -12,7 +12,7 @@ namespace halsted {
 /// (InstrumentTie), and over edges that were cut the first knot of `altemeier` breaks its thread. Why is not known.
 bool sumsExchange(const Model&, const State&);
 
-/// Where thread pushes and pulls on the tissue: its holes, and its contacts of the last step. The needle has few, far apart.
+/// Where thread and needle push and pull on the tissue: holes, and contacts of the last step. In a fold the needle has many, too.
 void gatherExchange(const Model&, const StrandState&, ExchangeWork&);
 /// How far newtons at all contacts, or at all holes, move this vertex of the tissue.  [m/N]
 double movedByContacts(const Model&, int vertex, ExchangeWork&);

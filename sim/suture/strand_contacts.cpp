@@ -3,10 +3,9 @@
 #include <cmath>
 
 #include "sim/contact/geometry.h"
-#include "sim/suture/edge_exit.h"
 #include "sim/suture/exchange.h"
-#include "sim/suture/hole_sides.h"
 #include "sim/suture/holes.h"
+#include "sim/suture/strand_sample.h"
 #include "sim/tools/tool_shape.h"
 
 namespace halsted {
@@ -16,34 +15,9 @@ constexpr double kTissueShare = 3.0;           // [1] over-estimates the complia
 constexpr double kNodeSpacing = 2e-3;          // [m] of the thread's nodes for which that holds
 constexpr double kSolidStiffness = 800.0;      // [N/m] strand against steel, per step and incremental: the fixed point is rigid
 constexpr double kMostForce = 2.0;             // [N] on one sample: a thread pinched harder sinks into the tissue instead
-constexpr double kReach = 8e-3;                // [m] samples farther than this from every vertex are not examined
 constexpr double kStickSlide = 2e-7;           // [m] per step: below it friction holds (0.2 mm/s of creep)
+constexpr double kCoarse = 1.5e-3;             // [m] nodes that lie closer cannot pass a wall on both sides
 constexpr double kTipFriction = 2.0;           // [1] a sharp tip catches: the dimple under it turns to face it (design)
-constexpr double kSkinDepth = 3e-3;            // [m] a sample pressed in no deeper goes back out on the side that it came from
-constexpr int kRepairInterval = 32;            // steps between exhaustive searches of one sample
-constexpr int kPiecesInterval = 6;             // the same where walls that a cut has parted lie so near to each other that no walk leads over in time
-
-struct Sample {
-  int index = 0;
-  double coordinate = 0.0, radius = 0.0;       // [m]
-  Vec3 position = Vec3::Zero(), predicted = Vec3::Zero();   // [m] at the start of the step; where inertia takes it
-  bool isTip = false;
-};
-
-int sampleCount(const StrandModel& m) { return m.nodes + static_cast<int>(m.sampleCoordinate.size()); }
-
-Sample sampleAt(const Model& m, const StrandState& s, int index) {
-  Sample x;
-  x.index = index;
-  const bool thread = index < m.strand.nodes;
-  x.coordinate = thread ? m.strand.place[index] : m.strand.sampleCoordinate[index - m.strand.nodes];
-  x.radius = thread ? m.strand.radius : m.strand.needle.wireRadius;
-  x.isTip = index + 1 == sampleCount(m.strand);
-  if (x.isTip) x.radius = 0.0;
-  x.position = thread ? s.position[index] : strandPoint(m.strand, s, x.coordinate + 1e-12);
-  x.predicted = x.position + m.params.dt * (thread ? s.velocity[index] : strandVelocity(m.strand, s, x.coordinate + 1e-12));
-  return x;
-}
 
 double triangleCompliance(const Model& m, int triangle, const std::array<double, 3>& w) {
   const auto& v = m.surface.triangles[triangle];
@@ -54,11 +28,10 @@ double triangleCompliance(const Model& m, int triangle, const std::array<double,
 }
 
 /// What the tissue gives under one sample while its neighbours, and the holes, push too.  [m/N]
-double giveOfTissue(const Model& m, const Sample& x, const SurfacePoint& near, State& state) {
-  const bool thread = x.index < m.strand.nodes;
-  const double crowd = thread ? std::fmax(1.0, kNodeSpacing / segmentAt(m.strand, x.coordinate)) : 1.0;   // [1] where nodes lie closer, more of them press on the same tissue
+double giveOfTissue(const Model& m, const StrandSample& x, const SurfacePoint& near, State& state) {
+  const double crowd = x.thread ? std::fmax(1.0, kNodeSpacing / segmentAt(m.strand, x.coordinate)) : 1.0;   // [1] where nodes lie closer, more of them press on the same tissue
   const double own = triangleCompliance(m, near.triangle, near.weight), guess = crowd * kTissueShare * own;   // [m/N]
-  if (!thread || !sumsExchange(m, state)) return guess;
+  if (!sumsExchange(m, state)) return guess;
   const int vertex = vertexOf(m, near.triangle, near.weight);
   return std::fmax(guess, own + movedByContacts(m, vertex, state.work.exchange) + movedByHoles(m, vertex, state.work.exchange));
 }
@@ -94,9 +67,9 @@ struct Friction {
 /// The thread weighs next to nothing: Coulomb's law as a lagged secant holds it. The needle is as stiff as the hand that holds it:
 /// its friction is carried from step to step and grows while it sticks, so that the tissue follows (limited after the solve). So is that
 /// of thread that can be knotted: drawn tight on the tissue it is as stiff as wire, and the secant would shake the wall.
-Friction frictionOf(const Model& m, const Sample& x, const Touch& touch, double push) {
+Friction frictionOf(const Model& m, const StrandSample& x, const Touch& touch, double push) {
   const double held = touch.record.normalForce > 0.0 ? touch.record.normalForce : push;
-  if (m.params.thread.knots || x.index >= m.strand.nodes) {
+  if (m.params.thread.knots || !x.thread) {
     const Vec3& old = touch.record.force;
     return {touch.stiffness, old - old.dot(touch.normal) * touch.normal};
   }
@@ -111,7 +84,7 @@ Friction frictionOf(const Model& m, const Sample& x, const Touch& touch, double 
 bool staysForAStep(const Model& m, const State& s, const Touch& touch) { return (!m.params.thread.knots || s.cut) && touch.record.normalForce > 0.0; }
 
 /// Adds the link if the contact would push; keeps its record in `fresh`.
-void offerTouch(const Model& m, const Sample& x, Touch& touch, State& state, int& fresh) {
+void offerTouch(const Model& m, const StrandSample& x, Touch& touch, State& state, int& fresh) {
   StrandWork& w = state.work.strand;
   const double gap = touch.normal.dot(x.predicted - touch.point) - x.radius;     // [m]
   const double push = touch.record.normalForce - touch.stiffness * gap;          // [N] at the predicted position
@@ -119,7 +92,7 @@ void offerTouch(const Model& m, const Sample& x, Touch& touch, State& state, int
   const Mat3 nn = touch.normal * touch.normal.transpose();
   const Friction grip = frictionOf(m, x, touch, push);
   StrandLink link;
-  link.coordinate = x.index < m.strand.nodes ? x.coordinate : x.coordinate + 1e-12;
+  link.coordinate = x.thread ? x.coordinate : x.coordinate + 1e-12;
   link.stiffness = touch.stiffness * nn + grip.stiffness * (Mat3::Identity() - nn);
   const Vec3 onSurface = touch.point + x.radius * touch.normal, stuck = x.position + touch.moved;
   link.anchor = stuck + nn * (onSurface - stuck);
@@ -129,67 +102,98 @@ void offerTouch(const Model& m, const Sample& x, Touch& touch, State& state, int
   state.work.freshContacts[fresh++] = touch.record;
 }
 
+/// Does the thread end here: its tail, or where it is cut?
+bool isEnd(const Model& m, const State& s, int sample) {
+  if (sample == 0 || sample >= m.strand.nodes) return sample == 0;
+  return s.threadContacts.cut[sample - 1] != 0 || (sample + 1 < m.strand.nodes && s.threadContacts.cut[sample] != 0);
+}
+
+/// Does it meet the wall end on?
+bool endOn(const Vec3& along, const Vec3& normal) {   // [1]
+  constexpr double kEndOn = 0.3;               // [1] sine of the angle between thread and normal
+  return (normal - normal.dot(along) * along).squaredNorm() <= kEndOn * kEndOn;
+}
+
 /// Thread feels nothing along itself but friction: over an edge the nearest face changes from sample to sample and from step to step, and
 /// a push along the thread would draw it to and fro. End on, it is a point like any other.
-Vec3 acrossThread(const Model& m, const StrandState& s, const Sample& x, const Vec3& normal) {   // [1]
-  constexpr double kEndOn = 0.3;               // [1] sine of the angle between thread and normal
-  if (!m.params.thread.knots || x.index >= m.strand.nodes) return normal;
+Vec3 acrossThread(const Model& m, const StrandState& s, const StrandSample& x, const Vec3& normal) {   // [1]
+  if (!m.params.thread.knots || !x.thread) return normal;
   const Vec3 along = strandTangent(m.strand, s, x.coordinate);
-  const Vec3 across = normal - normal.dot(along) * along;
-  return across.squaredNorm() > kEndOn * kEndOn ? Vec3(across.normalized()) : normal;
+  return endOn(along, normal) ? normal : Vec3((normal - normal.dot(along) * along).normalized());
+}
+
+/// Thread that meets the wall end on but does not end there has sunk through an edge: a push along it would hook it there. It leaves over the
+/// edge, across itself; false where there is no such way.
+bool leavesAcross(const Model& m, const StrandSample& x, const State& s, SurfacePoint& near) {
+  if (!m.params.thread.knots || !x.thread || s.cut || isEnd(m, s, x.index)) return true;
+  const Vec3 along = strandTangent(m.strand, s.strand, x.coordinate);
+  if (!endOn(along, near.normal)) return true;
+  near = outAcross(m, x, near, s);
+  return !endOn(along, near.normal);
 }
 
 /// The push of the last step that still counts. Between two bowels, thread caught between two walls meets now the one, now the other: what the one pushed is
 /// not the other's push, or the two would pump each other up.  [N] [1]
-double carriedPush(const Model& m, const Sample& x, const StrandContact* old, const Vec3& normal) {
+double carriedPush(const Model& m, const StrandSample& x, const StrandContact* old, const Vec3& normal) {
   if (!old) return 0.0;
-  if (m.bowels.count < 2 || !m.params.thread.knots || x.index >= m.strand.nodes) return old->normalForce;
+  if (m.bowels.count < 2 || !m.params.thread.knots || !x.thread) return old->normalForce;
   return std::fmin(old->normalForce, std::fmax(0.0, old->force.dot(normal)));
 }
 
 /// Does the thread go right through the wall between the sample before, whose contact is the last one found, and this one? Fine nodes lie
 /// closer than the wall is thick: pushed out on either side they would pull the thread apart, and shake the wall.  [1]
-bool throughWall(const Model& m, const Sample& x, const State& s, int fresh, int triangle, const Vec3& normal) {
+bool throughWall(const Model& m, const StrandSample& x, const State& s, int fresh, int triangle, const Vec3& normal) {
   constexpr double kOpposed = -0.3;            // [1]
-  if (m.bowels.count < 2 || !m.params.thread.knots || x.index >= m.strand.nodes || fresh == 0) return false;
+  if (m.bowels.count < 2 || !m.params.thread.knots || !x.thread || fresh == 0) return false;
   const StrandContact& before = s.work.freshContacts[fresh - 1];
   if (before.sample + 1 != x.index || m.mesh.triangleLayer.size() != m.surface.triangles.size()) return false;
-  if (m.mesh.triangleLayer[before.feature] == m.mesh.triangleLayer[triangle]) return false;
+  if (m.mesh.triangleLayer[before.feature] + m.mesh.triangleLayer[triangle] != 1) return false;   // serosa 0, mucosa 1, edge 2
   return m.bowels.of[m.surface.triangles[before.feature][0]] == m.bowels.of[m.surface.triangles[triangle][0]] && before.force.dot(normal) < kOpposed;
 }
 
-void touchTissue(const Model& m, const Sample& x, State& state, int& fresh) {
-  StrandState& s = state.strand;
-  const SurfaceNow tissue(state.tissue.position, state.tissue.gone);
-  if (insideWall(m, state, x.coordinate, kLedSegments * segmentAt(m.strand, x.coordinate))) return;   // the samples next to a hole are led by it
-  SurfacePoint near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
-  const bool pressedIn = near.triangle >= 0 && near.distance < 0.0 && near.distance > -kSkinDepth;
-  const int interval = state.cut ? kPiecesInterval : kRepairInterval;
-  if (!pressedIn && static_cast<int>(state.step % interval) == x.index % interval) {
-    s.nearVertex[x.index] = nearestVertex(m.surface, tissue, x.predicted);
-    near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
-  }
-  if (near.triangle < 0 || near.distance < -kSkinDepth) return;
-  if (state.cut && x.index < m.strand.nodes)   // what a cut leaves of a wall ends in an edge hardly wider than the thread's nodes lie apart
-    near = exitAcross(m.surface, tissue, {x.predicted, strandTangent(m.strand, s, x.coordinate), near, s.nearVertex[x.index]}, kSkinDepth);
+/// Thread that is found deep in the tissue is not thrown out of it in one step (with 40 N, at an edge): taken back at once is no more than it moves
+/// in this step, or a little. Not where tissue is cut: over those edges the stitches then do not close (`altemeier`).  [m]
+double sunkBefore(const Model& m, const State& s, const StrandSample& x, const Touch& touch) {
+  constexpr double kOutPerStep = 3e-4;         // [m]
+  if (m.bowels.count < 2 || !m.params.thread.knots || !x.thread || s.cut) return 0.0;
+  const double deep = touch.normal.dot(touch.point - x.predicted), way = (x.predicted - x.position).norm();   // [m]
+  return std::fmax(0.0, deep - std::fmax(kOutPerStep, way));
+}
+
+void touchTissue(const Model& m, const StrandSample& x, SurfacePoint near, State& state, int& fresh) {
+  const StrandState& s = state.strand;
+  if (near.triangle < 0 || near.distance < -kSkinDepth || !leavesAcross(m, x, state, near)) return;
   Touch t;
   t.point = near.point;
   t.normal = acrossThread(m, s, x, near.normal);
   t.moved = near.point - pointOn(m.surface, state.work.tissue.previous, near.triangle, near.weight);
+  t.point -= sunkBefore(m, state, x, t) * t.normal;
+  const int triangles = static_cast<int>(m.surface.triangles.size());
   if (throughWall(m, x, state, fresh, near.triangle, near.normal)) {
     --fresh;
     --state.work.strand.linkCount;
     return;
   }
   t.stiffness = 1.0 / (giveOfTissue(m, x, near, state) + 1e-5);
-  const int triangles = static_cast<int>(m.surface.triangles.size());
   const StrandContact* old = previousContact(s, x.index, near.triangle, true, triangles);
   t.record = {x.index, near.triangle, carriedPush(m, x, old, t.normal), old ? old->force : Vec3(Vec3::Zero()), near.weight};
   if (m.bowels.count > 1 && m.params.thread.knots && t.record.normalForce <= 0.0) t.record.force.setZero();
   offerTouch(m, x, t, state, fresh);
 }
 
-void touchSolid(const Model& m, const Sample& x, const SolidMotion& motion, int solid, State& state, int& fresh) {
+/// Nodes that lie on both sides of an edge leave the thread between them free to cut down into the wall: it is held half-way on the edge, too, from
+/// when they lie on the tissue for as long as it pushes; let go while it pushes, it would shake the wall. Not where tissue is cut: edges are no
+/// wider there than nodes lie apart, and each leaves the tissue across the thread by itself. Nor of thread that is not tied: one that runs
+/// through fifty holes would not come to rest.
+void touchBetween(const Model& m, int node, const SurfacePoint& before, const SurfacePoint& now, State& state, int& fresh) {
+  if (state.cut || !m.params.thread.knots) return;
+  const StrandSample x = sampleBetween(m, state.strand, node);
+  if (segmentAt(m.strand, x.coordinate) < kCoarse) return;
+  const bool held = previousContact(state.strand, x.index, -1, true, static_cast<int>(m.surface.triangles.size())) != nullptr;
+  if (held || (bothOn(before, now) && overEdge(m, before, now))) touchTissue(m, x, nearBetween(m, x, node, state), state, fresh);
+}
+
+void touchSolid(const Model& m, const StrandSample& x, const SolidMotion& motion, int solid, State& state, int& fresh) {
   const CapsuleShape& c = motion.now[solid];
   const double f = closestOnSegment(x.predicted, c.a, c.b);
   const Vec3 axis = c.a + f * (c.b - c.a), away = x.predicted - axis;
@@ -208,7 +212,7 @@ void touchSolid(const Model& m, const Sample& x, const SolidMotion& motion, int 
 }
 
 /// A sample that the jaws hold, or that lies within their grip, is carried by the grasp instead.
-bool heldBy(const Model& m, const StrandState&, const ToolState& tool, const Sample& x, double reach) {
+bool heldBy(const Model& m, const StrandState&, const ToolState& tool, const StrandSample& x, double reach) {
   if (tool.holdsNeedle && x.index >= m.strand.nodes) return true;
   return tool.threadCoordinate >= 0.0 && std::fabs(x.coordinate - tool.threadCoordinate) < reach;
 }
@@ -232,9 +236,13 @@ bool punctures(const Model& m, const StrandState& s, const StrandContact& c, con
 void linkContacts(const Model& m, const SolidMotion& motion, State& state) {
   int fresh = 0;
   const double jawReach = 4e-3;                // [m] of thread on either side of the jaws
+  SurfacePoint before;
   for (int i = 0; i < sampleCount(m.strand); ++i) {
-    const Sample x = sampleAt(m, state.strand, i);
-    touchTissue(m, x, state, fresh);
+    const StrandSample x = sampleAt(m, state.strand, i);
+    const SurfacePoint near = nearTissue(m, x, state);
+    if (x.thread) touchBetween(m, i, before, near, state, fresh);
+    before = near;
+    touchTissue(m, x, near, state, fresh);
     if (m.params.thread.knots && i < m.strand.nodes) continue;   // thread meets tools within its own solve (knotting.h)
     for (int solid = 0; solid < kSolids; ++solid) {
       const int hand = solidHand(solid);

@@ -1,0 +1,96 @@
+#include "sim/suture/strand_sample.h"
+
+#include <algorithm>
+
+#include "sim/suture/edge_exit.h"
+#include "sim/suture/hole_sides.h"
+#include "sim/suture/holes.h"
+
+namespace halsted {
+namespace {
+
+constexpr double kReach = 8e-3;                // [m] samples farther than this from every vertex are not examined
+constexpr int kRepairInterval = 32;            // steps between exhaustive searches of one sample
+constexpr int kPiecesInterval = 6;             // the same where walls that a cut has parted lie so near to each other that no walk leads over in time
+constexpr double kSearchedWay = 1e-3;          // [m] that a sample may go between two such searches
+constexpr double kOnTissue = 1e-3;             // [m]
+
+/// Steps between exhaustive searches. From one bowel no walk leads to the other: thread that flies across looks for it as often as it may get there.
+int searchInterval(const Model& m, const State& s, const StrandSample& x) {
+  const int interval = s.cut ? kPiecesInterval : kRepairInterval;
+  const double way = (x.predicted - x.position).norm();          // [m] in this step
+  if (m.bowels.count < 2 || way * interval <= kSearchedWay) return interval;
+  return std::max(1, static_cast<int>(kSearchedWay / way));
+}
+
+}  // namespace
+
+int sampleCount(const StrandModel& m) { return m.nodes + static_cast<int>(m.sampleCoordinate.size()); }
+
+StrandSample sampleAt(const Model& m, const StrandState& s, int index) {
+  StrandSample x;
+  x.index = index;
+  const bool thread = x.thread = index < m.strand.nodes;
+  x.coordinate = thread ? m.strand.place[index] : m.strand.sampleCoordinate[index - m.strand.nodes];
+  x.radius = thread ? m.strand.radius : m.strand.needle.wireRadius;
+  x.isTip = index + 1 == sampleCount(m.strand);
+  if (x.isTip) x.radius = 0.0;
+  x.position = thread ? s.position[index] : strandPoint(m.strand, s, x.coordinate + 1e-12);
+  x.predicted = x.position + m.params.dt * (thread ? s.velocity[index] : strandVelocity(m.strand, s, x.coordinate + 1e-12));
+  return x;
+}
+
+StrandSample sampleBetween(const Model& m, const StrandState& s, int node) {
+  StrandSample x;
+  x.index = sampleCount(m.strand) + node;
+  x.coordinate = 0.5 * (m.strand.place[node - 1] + m.strand.place[node]);
+  x.radius = m.strand.radius;
+  x.position = 0.5 * (s.position[node - 1] + s.position[node]);
+  x.predicted = x.position + 0.5 * m.params.dt * (s.velocity[node - 1] + s.velocity[node]);
+  return x;
+}
+
+SurfacePoint outAcross(const Model& m, const StrandSample& x, const SurfacePoint& near, const State& state) {
+  if (near.triangle < 0 || near.distance < -kSkinDepth) return near;
+  const SurfaceNow tissue(state.tissue.position, state.tissue.gone);
+  const int node = x.index < sampleCount(m.strand) ? x.index : x.index - sampleCount(m.strand);
+  int vertex = state.strand.nearVertex[node];
+  if (node != x.index) nearestSurface(m.surface, tissue, x.predicted, kReach, vertex);
+  return exitAcross(m.surface, tissue, {x.predicted, strandTangent(m.strand, state.strand, x.coordinate), near, vertex}, kSkinDepth);
+}
+
+SurfacePoint nearTissue(const Model& m, const StrandSample& x, State& state) {
+  StrandState& s = state.strand;
+  const SurfaceNow tissue(state.tissue.position, state.tissue.gone);
+  if (insideWall(m, state, x.coordinate, kLedSegments * segmentAt(m.strand, x.coordinate))) return {};   // the samples next to a hole are led by it
+  SurfacePoint near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
+  const bool pressedIn = near.triangle >= 0 && near.distance < 0.0 && near.distance > -kSkinDepth;
+  const int interval = searchInterval(m, state, x);
+  if (!pressedIn && static_cast<int>(state.step % interval) == x.index % interval) {
+    const bool flies = x.thread && m.bowels.count > 1;             // the side that it is on now, not the one where it would come out
+    s.nearVertex[x.index] = nearestVertex(m.surface, tissue, flies ? x.position : x.predicted);
+    near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
+  }
+  if (!state.cut || !x.thread) return near;
+  return outAcross(m, x, near, state);   // what a cut leaves of a wall ends in an edge hardly wider than the thread's nodes lie apart
+}
+
+SurfacePoint nearBetween(const Model& m, const StrandSample& x, int node, const State& state) {
+  const SurfaceNow tissue(state.tissue.position, state.tissue.gone);
+  const std::vector<int>& layer = m.mesh.triangleLayer;
+  int vertex = state.strand.nearVertex[node];
+  const SurfacePoint near = nearestSurface(m.surface, tissue, x.predicted, kReach, vertex);
+  if (near.triangle < 0 || near.distance < -kSkinDepth || layer[near.triangle] == kEdgeFace) return near;
+  if (near.distance >= 0.0) return {};
+  return exitOverEdge(m.surface, layer, tissue, {x.predicted, strandTangent(m.strand, state.strand, x.coordinate), near, vertex}, kSkinDepth);
+}
+
+bool bothOn(const SurfacePoint& a, const SurfacePoint& b) { return a.triangle >= 0 && b.triangle >= 0 && a.distance <= kOnTissue && b.distance <= kOnTissue; }
+
+bool overEdge(const Model& m, const SurfacePoint& a, const SurfacePoint& b) {
+  if (m.mesh.triangleLayer.size() != m.surface.triangles.size()) return false;
+  if (m.bowels.count > 1 && m.bowels.of[m.surface.triangles[a.triangle][0]] != m.bowels.of[m.surface.triangles[b.triangle][0]]) return false;
+  return m.mesh.triangleLayer[a.triangle] + m.mesh.triangleLayer[b.triangle] == 1;   // serosa 0, mucosa 1, edge 2
+}
+
+}  // namespace halsted

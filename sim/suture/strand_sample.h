@@ -1,0 +1,39 @@
+#pragma once
+/// Points of the strand that may lie against something, and the tissue nearest to them: the thread's nodes, samples of the needle, and
+/// points half-way between two nodes where thread lies over the edge of a wall. Physics thread; no heap.
+#include "sim/contact/surface.h"
+#include "sim/model.h"
+#include "sim/state.h"
+
+namespace halsted {
+
+inline constexpr double kSkinDepth = 3e-3;     // [m] a sample pressed in no deeper goes back out on the side that it came from
+
+struct StrandSample {
+  int index = 0;                               // thread node, nodes + needle sample, or all of these + the node before which it lies half-way
+  double coordinate = 0.0, radius = 0.0;       // [m]
+  Vec3 position = Vec3::Zero(), predicted = Vec3::Zero();   // [m] at the start of the step; where inertia takes it
+  bool thread = true, isTip = false;
+};
+
+int sampleCount(const StrandModel&);           // nodes and samples of the needle
+StrandSample sampleAt(const Model&, const StrandState&, int index);
+
+/// Half-way from the node before, `node` > 0.
+StrandSample sampleBetween(const Model&, const StrandState&, int node);
+
+/// Where the tissue is nearest to a node or a sample of the needle; none within reach, or where a hole leads it: triangle -1.
+SurfacePoint nearTissue(const Model&, const StrandSample&, State&);
+
+/// The way out across the thread, of a point pressed in no deeper than the skin; `near` as it is where there is none.
+SurfacePoint outAcross(const Model&, const StrandSample&, const SurfacePoint& near, const State&);
+
+/// Where a point between two nodes leaves the tissue over the wall's edge: pushed out of either face, beside a node that is pushed out of the other, it
+/// would wedge the thread in the wall. None: triangle -1. Needs the faces' layers.
+SurfacePoint nearBetween(const Model&, const StrandSample&, int node, const State&);
+
+/// Do two neighbouring nodes lie on the tissue; and the one on the serosa, the other on the mucosa, so that thread between them lies over an edge?
+bool bothOn(const SurfacePoint&, const SurfacePoint&);
+bool overEdge(const Model&, const SurfacePoint&, const SurfacePoint&);
+
+}  // namespace halsted

@@ -1,0 +1,82 @@
+/// Thread thrown at bowel ends faster than any hand moves: it meets the bowel that it flies to, and the edge that it flies over.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "sim/step.h"
+#include "tests/app/abuse_watch.h"
+#include "tests/app/scenario_for_tests.h"
+#include "tests/sim/knot_rig.h"
+
+namespace halsted::app {
+namespace {
+
+/// Two ends side by side; the thread flies straight, its needle in nobody's hand.
+struct Thrown {
+  const Scenario scenario = scenarioFromFile(testing::sourceFolder() + "/scenes/stay/expert.toml", {"thread.assist=knot"});
+  const Model& model = scenario.model;
+  Lockstep run{scenario};
+  State& state = run.state();
+  StepInput input;
+  StepOutput out;
+  ThreadDepth worst;
+  const Opening& end = model.bowels.opening[1];
+  const double radius = (model.mesh.vertices[model.bowels.rim[1].front()] - end.centre).norm();   // [m]
+
+  Thrown() {
+    for (int hand = 0; hand < kHands; ++hand) {
+      ToolState& tool = state.tools[hand];
+      tool.holdsNeedle = tool.ratchet = tool.closed = false;
+      input.tools[hand].pose = tool.device = tool.proxy = {Vec3(0.3 * (hand == kLeft ? -1.0 : 1.0), 0.3, 0.3), Quat::Identity()};
+      input.tools[hand].jaw = tool.jaw = 1.0;
+    }
+  }
+  /// Its tail at `tail` [m], thrown with `velocity` [m/s]; it knows of no tissue but a vertex of the bowel `known`.
+  void lay(const Vec3& tail, const Vec3& along, const Vec3& velocity, int known) {
+    StrandState& s = state.strand;
+    for (int i = 0; i < model.strand.nodes; ++i) {
+      s.position[i] = tail + model.strand.place[i] * along;
+      s.velocity[i] = velocity;
+    }
+    s.needle = KnotRig::needlePose(model.strand, s.position);
+    s.needleVelocity = velocity;
+    std::fill(s.nearVertex.begin(), s.nearVertex.end(), model.bowels.rim[known].front());
+  }
+  void fly(int steps) {
+    for (int k = 0; k < steps; ++k) {
+      step(model, input, state, out);
+      const ThreadDepth now = threadDepth(model, state);
+      worst.tissue = std::max(worst.tissue, now.tissue);
+      worst.through = std::max(worst.through, now.through);
+    }
+    std::printf("at most %.2f mm deep in tissue, %d times through a wall\n", 1e3 * worst.tissue, worst.through);
+  }
+};
+
+/// Across both bowels from above. It knew of one of them only, and would have flown 30 mm, through the other, before it looked for it.
+TEST(FlyingThread, MeetsTheBowelThatItFliesTo) {
+  Thrown t;
+  const Opening& o = t.end;
+  t.lay(o.centre - 10e-3 * o.axis + (t.radius + 8e-3) * o.up - 0.1 * o.right, o.right, -1.0 * o.up, 0);
+  t.fly(60);
+  EXPECT_LT(t.worst.tissue, 1e-3);
+  EXPECT_EQ(t.worst.through, 0);
+}
+
+/// Against the edge from the front, its tail in front of the lumen, in many places of its nodes: none of it stays in the wall.
+TEST(FlyingThread, IsStoppedByTheEdgeThatItFliesOver) {
+  for (const double slant : {-0.7, -0.35, 0.0, 0.35, 0.7})       // [1] of the thread out of the plane of the edge
+    for (const double before : {9.0e-3, 9.5e-3, 10.0e-3, 10.5e-3}) {   // [m] of thread before the edge
+      Thrown t;
+      const Opening& o = t.end;
+      const Vec3 along = (o.up + slant * o.axis).normalized();
+      t.lay(o.centre + 4e-3 * o.axis + t.radius * o.up - before * along, along, -0.9 * o.axis, 1);
+      t.fly(30);
+      EXPECT_LT(t.worst.tissue, 1e-3) << slant << " " << before;
+      EXPECT_EQ(threadDepth(t.model, t.state).through, 0) << slant << " " << before;
+    }
+}
+
+}  // namespace
+}  // namespace halsted::app

@@ -1,0 +1,137 @@
+/// Thread over the free edge of a wall, its nodes farther apart than the wall is thick: what lies between them does not cut down into it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "tests/sim/knot_rig.h"
+#include "tests/sim/step_rig.h"
+
+namespace halsted {
+namespace {
+
+constexpr double kSegment = 4.5e-3;             // [m]
+constexpr int kNodes = 14;
+constexpr double kDrawn = 0.4;                 // [N] at either end
+constexpr int kOver = kNodes / 2;              // the node behind the edge
+
+/// Thread hangs over the wall's top edge like a rope over a beam, both ends in jaws.
+struct OverTheEdge : StepRig {
+  OverTheEdge() : StepRig(params(), kNeedleAway) {
+    nameFaces();
+    for (int i = 0; i < kNodes; ++i) state.strand.position[i] = placeOf(i);
+    state.strand.needle = KnotRig::needlePose(model.strand, state.strand.position);
+    take(kLeft, 1);
+    take(kRight, kNodes - 2);
+  }
+  /// Both hands go down alike until they feel in the mean what is asked, for so long.
+  void draw(double seconds) {                  // [s]
+    constexpr double kSpeed = 0.02, kFeel = 0.3;   // [m/s], [N]
+    for (int k = 0; k < seconds / model.params.dt; ++k) {
+      const double lack = (kDrawn - felt()) / kFeel;   // [1]
+      for (ToolSample& t : input.tools) t.pose.position.z() -= std::clamp(lack, -1.0, 1.0) * kSpeed * model.params.dt;
+      step();
+      deepest = std::max(deepest, depth());
+    }
+  }
+  double felt() const { return 0.5 * (state.tools[kLeft].threadForce.norm() + state.tools[kRight].threadForce.norm()); }   // [N]
+  double deepest = -1.0;                       // [m] so far
+
+ private:
+  /// Below the surface, of the middle of a segment that goes from one side of the wall to the other.  [m]
+  double depth() const {
+    double most = -1.0;                        // [m]
+    for (int i = 1; i < kNodes; ++i) {
+      const Vec3 &a = state.strand.position[i - 1], &b = state.strand.position[i], middle = 0.5 * (a + b);
+      if (a.x() > 0.0 || b.x() < kWallX) continue;
+      int vertex = nearestVertex(model.surface, state.tissue.position, middle);
+      const SurfacePoint near = nearestSurface(model.surface, state.tissue.position, middle, 8e-3, vertex);
+      if (near.triangle >= 0) most = std::max(most, -near.distance);
+    }
+    return most;
+  }
+  static SimParams params() {
+    SimParams p = wallParams();
+    p.thread.nodes = kNodes;
+    p.thread.segmentLength = kSegment;
+    p.thread.knots = true;
+    p.contact.threadTissueFriction = 1.0;      // it does not slide over the edge
+    return p;
+  }
+  /// As an organ's mesh has them: one face the serosa, the other the mucosa.
+  void nameFaces() {
+    model.mesh.triangleLayer.assign(model.surface.triangles.size(), 2);
+    for (std::size_t f = 0; f < model.surface.triangles.size(); ++f)
+      for (const double x : {0.0, kWallX}) {
+        const auto& t = model.surface.triangles[f];
+        if (std::all_of(t.begin(), t.end(), [&](int v) { return std::fabs(model.mesh.vertices[v].x() - x) < 1e-9; })) model.mesh.triangleLayer[f] = x == 0.0 ? 0 : 1;
+      }
+  }
+  static Vec3 placeOf(int node) {              // [m]
+    const double left = 0.5 * (kWallX - kSegment), top = kWallZ + 0.5e-3;
+    const int below = node < kOver ? kOver - 1 - node : node - kOver;
+    const double out = 0.1 * kSegment * below, down = std::sqrt(1.0 - 0.01) * kSegment * below;
+    return Vec3(node < kOver ? left - out : left + kSegment + out, 0.5 * kWallY, top - down);
+  }
+  void take(int hand, int node) {
+    ToolState& tool = state.tools[hand];
+    tool.holdsNeedle = tool.ratchet = false;
+    tool.threadCoordinate = model.strand.place[node];
+    tool.closed = true;
+    tool.jaw = input.tools[hand].jaw = 0.0;
+    tool.device = tool.proxy = input.tools[hand].pose = frame(state.strand.position[node], Vec3::UnitY(), Vec3::UnitX());   // from below, jaws across the thread
+  }
+};
+
+/// It lies at first with a node on either side of the wall, and may slide until one lies on the edge.
+TEST(ThreadOverAnEdge, DoesNotCutDownIntoTheWall) {
+  OverTheEdge rig;
+  rig.draw(1.0);
+  std::printf("drawn with %.2f N: at most %.2f mm below the edge\n", rig.felt(), 1e3 * rig.deepest);
+  EXPECT_NEAR(rig.felt(), kDrawn, 0.1);
+  EXPECT_LT(rig.deepest, 0.7e-3);
+}
+
+/// Fine thread that has sunk through the wall by its edge, straight across: it lies end on to both faces, its tail free on the far side.
+struct SunkThread : StepRig {
+  static constexpr double kFine = 1e-3, kSunk = 1e-3, kTail = 20e-3;   // [m] between nodes; below the edge; on the far side
+  SunkThread() : StepRig(params(), kNeedleAway) {
+    for (int i = 0; i < model.strand.nodes; ++i) state.strand.position[i] = Vec3(kWallX + kTail - model.strand.place[i], 0.5 * kWallY, kWallZ - kSunk);
+    state.strand.needle = KnotRig::needlePose(model.strand, state.strand.position);
+    state.tools[kRight].holdsNeedle = state.tools[kRight].closed = false;
+    input.tools[kRight].jaw = 1.0;
+    ToolState& tool = state.tools[kLeft];
+    const int node = static_cast<int>((kWallX + kTail) / kFine) + 10;
+    tool.holdsNeedle = tool.ratchet = false;
+    tool.threadCoordinate = model.strand.place[node];
+    tool.closed = true;
+    tool.jaw = input.tools[kLeft].jaw = 0.0;
+    tool.device = tool.proxy = input.tools[kLeft].pose = frame(state.strand.position[node], Vec3::UnitY(), Vec3::UnitX());
+  }
+  static SimParams params() {
+    SimParams p = wallParams();
+    p.thread.nodes = 60;
+    p.thread.segmentLength = kFine;
+    p.thread.knots = true;
+    return p;
+  }
+};
+
+/// A push along it would hook it like a nail; it is drawn out, and over the edge on the way.
+TEST(ThreadOverAnEdge, ThreadThatHasSunkThroughComesWithThePull) {
+  SunkThread rig;
+  constexpr double kSpeed = 0.02;              // [m/s]
+  double most = 0.0;                           // [N]
+  const double start = rig.state.strand.position[0].x();   // [m]
+  for (int k = 0; k < 600; ++k) {
+    rig.input.tools[kLeft].pose.position.x() -= kSpeed * rig.model.params.dt;
+    rig.step();
+    most = std::max(most, rig.state.tools[kLeft].threadForce.norm());
+  }
+  std::printf("drawn by 12 mm: the tail comes %.1f mm, at most %.2f N\n", 1e3 * (start - rig.state.strand.position[0].x()), most);
+  EXPECT_GT(start - rig.state.strand.position[0].x(), 10e-3);
+  EXPECT_LT(most, 0.3);
+}
+
+}  // namespace
+}  // namespace halsted
