@@ -146,9 +146,7 @@ bool throughWall(const Model& m, const StrandSample& x, const State& s, int fres
   constexpr double kOpposed = -0.3;            // [1]
   if (m.bowels.count < 2 || !m.params.thread.knots || !x.thread || fresh == 0) return false;
   const StrandContact& before = s.work.freshContacts[fresh - 1];
-  if (before.sample + 1 != x.index || m.mesh.triangleLayer.size() != m.surface.triangles.size()) return false;
-  if (m.mesh.triangleLayer[before.feature] + m.mesh.triangleLayer[triangle] != 1) return false;   // serosa 0, mucosa 1, edge 2
-  return m.bowels.of[m.surface.triangles[before.feature][0]] == m.bowels.of[m.surface.triangles[triangle][0]] && before.force.dot(normal) < kOpposed;
+  return before.sample + 1 == x.index && oppositeFaces(m, before.feature, triangle) && before.force.dot(normal) < kOpposed;
 }
 
 /// Thread that is found deep in the tissue is not thrown out of it in one step (with 40 N, at an edge): taken back at once is no more than it moves
@@ -168,13 +166,13 @@ void touchTissue(const Model& m, const StrandSample& x, SurfacePoint near, State
   t.normal = acrossThread(m, s, x, near.normal);
   t.moved = near.point - pointOn(m.surface, state.work.tissue.previous, near.triangle, near.weight);
   t.point -= sunkBefore(m, state, x, t) * t.normal;
-  const int triangles = static_cast<int>(m.surface.triangles.size());
   if (throughWall(m, x, state, fresh, near.triangle, near.normal)) {
     --fresh;
     --state.work.strand.linkCount;
     return;
   }
   t.stiffness = 1.0 / (giveOfTissue(m, x, near, state) + 1e-5);
+  const int triangles = static_cast<int>(m.surface.triangles.size());
   const StrandContact* old = previousContact(s, x.index, near.triangle, true, triangles);
   t.record = {x.index, near.triangle, carriedPush(m, x, old, t.normal), old ? old->force : Vec3(Vec3::Zero()), near.weight};
   if (m.bowels.count > 1 && m.params.thread.knots && t.record.normalForce <= 0.0) t.record.force.setZero();
@@ -190,7 +188,7 @@ void touchBetween(const Model& m, int node, const SurfacePoint& before, const Su
   const StrandSample x = sampleBetween(m, state.strand, node);
   if (segmentAt(m.strand, x.coordinate) < kCoarse) return;
   const bool held = previousContact(state.strand, x.index, -1, true, static_cast<int>(m.surface.triangles.size())) != nullptr;
-  if (held || (bothOn(before, now) && overEdge(m, before, now))) touchTissue(m, x, nearBetween(m, x, node, state), state, fresh);
+  if (held || overEdge(m, before, now)) touchTissue(m, x, nearBetween(m, x, node, state), state, fresh);
 }
 
 void touchSolid(const Model& m, const StrandSample& x, const SolidMotion& motion, int solid, State& state, int& fresh) {

@@ -85,12 +85,15 @@ SurfacePoint nearBetween(const Model& m, const StrandSample& x, int node, const 
   return exitOverEdge(m.surface, layer, tissue, {x.predicted, strandTangent(m.strand, state.strand, x.coordinate), near, vertex}, kSkinDepth);
 }
 
-bool bothOn(const SurfacePoint& a, const SurfacePoint& b) { return a.triangle >= 0 && b.triangle >= 0 && a.distance <= kOnTissue && b.distance <= kOnTissue; }
+bool oppositeFaces(const Model& m, int triangle, int other) {
+  const std::vector<int>& layer = m.mesh.triangleLayer;
+  if (layer.size() != m.surface.triangles.size() || layer[triangle] + layer[other] != 1) return false;   // serosa 0, mucosa 1, edge 2
+  return m.bowels.of[m.surface.triangles[triangle][0]] == m.bowels.of[m.surface.triangles[other][0]];
+}
 
 bool overEdge(const Model& m, const SurfacePoint& a, const SurfacePoint& b) {
-  if (m.mesh.triangleLayer.size() != m.surface.triangles.size()) return false;
-  if (m.bowels.count > 1 && m.bowels.of[m.surface.triangles[a.triangle][0]] != m.bowels.of[m.surface.triangles[b.triangle][0]]) return false;
-  return m.mesh.triangleLayer[a.triangle] + m.mesh.triangleLayer[b.triangle] == 1;   // serosa 0, mucosa 1, edge 2
+  const bool bothOn = a.triangle >= 0 && b.triangle >= 0 && a.distance <= kOnTissue && b.distance <= kOnTissue;
+  return bothOn && oppositeFaces(m, a.triangle, b.triangle);
 }
 
 }  // namespace halsted

@@ -32,8 +32,10 @@ SurfacePoint outAcross(const Model&, const StrandSample&, const SurfacePoint& ne
 /// would wedge the thread in the wall. None: triangle -1. Needs the faces' layers.
 SurfacePoint nearBetween(const Model&, const StrandSample&, int node, const State&);
 
-/// Do two neighbouring nodes lie on the tissue; and the one on the serosa, the other on the mucosa, so that thread between them lies over an edge?
-bool bothOn(const SurfacePoint&, const SurfacePoint&);
+/// Are these triangles the serosa and the mucosa of one bowel?
+bool oppositeFaces(const Model&, int triangle, int other);
+
+/// Do two neighbouring nodes lie on the tissue, on opposite faces, so that thread between them lies over an edge?
 bool overEdge(const Model&, const SurfacePoint&, const SurfacePoint&);
 
 }  // namespace halsted

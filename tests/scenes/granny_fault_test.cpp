@@ -3,29 +3,25 @@
 #include <gtest/gtest.h>
 
 #include "scenes/scene.h"
+#include "tests/sim/rehearsal.h"
 #include "tests/support/source_folder.h"
 
 namespace halsted {
 namespace {
 
-constexpr double kDt = 1e-3;                   // [s]
-
 /// The step of a scene in which the knot is tied, alone.
-struct Tie {
-  std::vector<ProcedureStep> table;
-  ProcedureState state{};
-  Observation seen{};
-  int steps = 0, faults = 0, faultsBeforeDone = -1;
+struct Tie : Rehearsal {
+  int faults = 0, faultsBeforeDone = -1;
 
   explicit Tie(const std::string& scene) {
-    for (const ProcedureStep& step : scenes::readScene(testing::sourceFolder() + "/scenes/" + scene, {}).procedure)
-      if (step.hasFault && step.fault.quantity == Quantity::kWrongThrows) table.push_back(step);
+    for (const ProcedureStep& tied : scenes::readScene(testing::sourceFolder() + "/scenes/" + scene, {}).procedure)
+      if (tied.hasFault && tied.fault.quantity == Quantity::kWrongThrows) table.push_back(tied);
   }
   void look(bool granny, bool locked) {        // until the next look
-    seen[static_cast<int>(Quantity::kWrongThrows)] = granny;
-    seen[static_cast<int>(Quantity::kKnotLocks)] = locked;
+    (*this)[Quantity::kWrongThrows] = granny;
+    (*this)[Quantity::kKnotLocks] = locked;
     for (int k = 0; k < 100; ++k) {
-      const ProcedureEvent event = advance(table, seen, kDt * ++steps, kDt, state);
+      const ProcedureEvent event = once();
       faults += event == ProcedureEvent::kFault;
       if (event == ProcedureEvent::kCompleted && faultsBeforeDone < 0) faultsBeforeDone = faults;
     }

@@ -3,10 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "tests/sim/step_rig.h"
+#include "tests/sim/wall_faces.h"
 
 namespace halsted {
 namespace {
@@ -15,16 +12,9 @@ struct EdgeExit : ::testing::Test {
   const TetMesh mesh = wallMesh();
   const SurfaceModel surface = buildSurface(mesh);
   const SurfaceNow now{mesh.vertices, {}};
-  std::vector<int> layer = std::vector<int>(surface.triangles.size(), kEdgeFace);   // 0 the face at x = 0, 1 that at 4 mm
+  const std::vector<int> layer = wallFaces(mesh, surface);
   int vertex = 0;
 
-  EdgeExit() {
-    for (std::size_t f = 0; f < layer.size(); ++f)
-      for (const int face : {0, 1}) {
-        const auto& t = surface.triangles[f];
-        if (std::all_of(t.begin(), t.end(), [&](int v) { return std::fabs(mesh.vertices[v].x() - face * kWallX) < 1e-9; })) layer[f] = face;
-      }
-  }
   /// A point of thread that goes straight through the wall, so far from its face and below its top edge.  [m]
   PressedIn through(double fromFace, double below) {
     const Vec3 p(fromFace, 0.5 * kWallY + 0.3e-3, kWallZ - below);

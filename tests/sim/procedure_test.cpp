@@ -6,25 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/sim/rehearsal.h"
+
 namespace halsted {
 namespace {
-
-constexpr double kDt = 1e-3;                             // [s]
-
-struct Rehearsal {
-  std::vector<ProcedureStep> table;
-  ProcedureState state{};
-  Observation seen{};
-  int step = 0;
-
-  double& operator[](Quantity q) { return seen[static_cast<int>(q)]; }
-  ProcedureEvent once() { return advance(table, seen, kDt * ++step, kDt, state); }
-  int countEvents(int steps, ProcedureEvent wanted) {
-    int count = 0;
-    for (int i = 0; i < steps; ++i) count += once() == wanted;
-    return count;
-  }
-};
 
 ProcedureStep bites(double min, double hold = 0.0) {     // [1], [s]
   ProcedureStep step;

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "tests/sim/knot_rig.h"
-#include "tests/sim/step_rig.h"
+#include "tests/sim/wall_faces.h"
 
 namespace halsted {
 namespace {
@@ -18,7 +18,7 @@ constexpr int kOver = kNodes / 2;              // the node behind the edge
 /// Thread hangs over the wall's top edge like a rope over a beam, both ends in jaws.
 struct OverTheEdge : StepRig {
   OverTheEdge() : StepRig(params(), kNeedleAway) {
-    nameFaces();
+    model.mesh.triangleLayer = wallFaces(model.mesh, model.surface);
     for (int i = 0; i < kNodes; ++i) state.strand.position[i] = placeOf(i);
     state.strand.needle = KnotRig::needlePose(model.strand, state.strand.position);
     take(kLeft, 1);
@@ -57,15 +57,6 @@ struct OverTheEdge : StepRig {
     p.thread.knots = true;
     p.contact.threadTissueFriction = 1.0;      // it does not slide over the edge
     return p;
-  }
-  /// As an organ's mesh has them: one face the serosa, the other the mucosa.
-  void nameFaces() {
-    model.mesh.triangleLayer.assign(model.surface.triangles.size(), 2);
-    for (std::size_t f = 0; f < model.surface.triangles.size(); ++f)
-      for (const double x : {0.0, kWallX}) {
-        const auto& t = model.surface.triangles[f];
-        if (std::all_of(t.begin(), t.end(), [&](int v) { return std::fabs(model.mesh.vertices[v].x() - x) < 1e-9; })) model.mesh.triangleLayer[f] = x == 0.0 ? 0 : 1;
-      }
   }
   static Vec3 placeOf(int node) {              // [m]
     const double left = 0.5 * (kWallX - kSegment), top = kWallZ + 0.5e-3;
