@@ -45,7 +45,7 @@ FrameWriter::FrameWriter(const FrameOptions& options, const Scenario& scenario) 
 
 FrameWriter::~FrameWriter() = default;
 
-void FrameWriter::see(const Lockstep& run) {
+bool FrameWriter::see(const Lockstep& run) {
   const StepOutput& output = run.output();
   for (int i = 0; i < output.eventCount; ++i) banner_.tell(output.events[i], run.scenario().model, run.time());
   const double late = run.time() + 1e-9;       // [s]
@@ -57,6 +57,7 @@ void FrameWriter::see(const Lockstep& run) {
   if (frameDue) ++videoFrames_;
   while (nextTime_ < options_.times.size() && late >= options_.times[nextTime_]) ++nextTime_;
   if (toVideo || toFile) drawFrame(run, toVideo, toFile);
+  return parts_->video || options_.times.empty() || nextTime_ < options_.times.size();
 }
 
 void FrameWriter::beginAt(double time) {

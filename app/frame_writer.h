@@ -22,8 +22,8 @@ class FrameWriter {
   FrameWriter(const FrameOptions&, const Scenario&);             // throws scenes::InputError, SystemFault
   ~FrameWriter();
 
-  /// After each step: draws what has become due.
-  void see(const Lockstep&);
+  /// After each step: draws what has become due. False when nothing more can: frames at given times alone, and the last is drawn.
+  bool see(const Lockstep&);
   /// Completes the video; the outcome as text.
   std::string finish();
 

@@ -23,6 +23,7 @@ struct Audience {
   std::unique_ptr<Verifier> verifier;
   Watcher watcher;
   Trace trace;
+  bool toTheEnd = true;                        // even where the watcher has seen enough: others want the whole run
 
   void record(const Lockstep& run) {
     recorder->addStep(run.input(), hash(run.state()));
@@ -35,8 +36,8 @@ struct Audience {
   bool see(const Lockstep& run) {
     trace.add(run.state(), run.output().events.data(), run.output().eventCount);
     if (recorder) record(run);
-    if (watcher) watcher(run);
-    return !verifier || verifier->check(run);
+    const bool enough = watcher && !watcher(run);
+    return verifier ? verifier->check(run) : !enough || toTheEnd;
   }
 };
 
@@ -50,8 +51,9 @@ double runThrough(const PlayOptions& options, Lockstep& run, Audience& audience)
   const auto start = std::chrono::steady_clock::now();
   const double begin = run.time();             // [s]
   Progress progress;
-  if (audience.watcher) audience.watcher(run);
-  while (run.advance() && audience.see(run)) {
+  bool more = !audience.watcher || audience.watcher(run) || audience.toTheEnd;
+  while (more && run.advance()) {
+    more = audience.see(run);
     if (options.realtime) pace(start, run.time() - begin);
     progress.show(run.time(), options.file);
   }
@@ -111,6 +113,7 @@ int play(const PlayOptions& options, const WatcherMaker& makeWatcher) {
   Lockstep run(scenario);
   if (options.from > 0.0) run.seek(static_cast<std::uint64_t>(options.from / scenario.model.params.dt + kRounding));
   Audience audience{nullptr, nullptr, nullptr, Trace(scenario.model.params.dt)};
+  audience.toTheEnd = !options.record.empty() || !options.report.empty() || options.requireComplete;
   if (!options.record.empty()) audience.recorder = std::make_unique<SessionWriter>(options.record, sessionHeader(scenario, ""));
   if (options.verify) audience.verifier = std::make_unique<Verifier>();
   if (makeWatcher) audience.watcher = makeWatcher(scenario);

@@ -17,8 +17,8 @@ struct PlayOptions {
   std::string record, report;                  // files to write; empty: none
 };
 
-/// Called with every state, the initial one included; `capture` draws from it.
-using Watcher = std::function<void(const Lockstep&)>;
+/// Called with every state, the initial one included; `capture` draws from it. False: it has seen all that it wants.
+using Watcher = std::function<bool(const Lockstep&)>;
 /// Called once, before the first step.
 using WatcherMaker = std::function<Watcher(const Scenario&)>;
 

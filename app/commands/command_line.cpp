@@ -78,7 +78,10 @@ void addCapture(CLI::App& app, CommandLine& line) {
   command->add_option("--video", line.frames.video, "video file (.mp4), needs ffmpeg");
   command->add_option("--fps", line.frames.fps, "frames per second of simulated time")->capture_default_str()->check(CLI::Range(0.1, 1000.0));
   command->add_option("--size", line.size, "WIDTHxHEIGHT in pixels (default 1280x720)");
-  command->add_option("--at", line.frames.times, "PNG frames at these times only, in seconds: 5,20,60")->delimiter(',')->check(CLI::Range(0.0, 1e9));
+  command->add_option("--at", line.frames.times,
+                      "PNG frames at these times only, in seconds: 5,20,60; the run ends with the last, unless a video, record or report is asked for")
+      ->delimiter(',')
+      ->check(CLI::Range(0.0, 1e9));
   command->footer("Example: halsted capture run.halsted --video run.mp4 --fps 30 --size 1280x720 --out frames --at 5,20,60\n"
                   "Example: halsted capture run.halsted --out frames --from 370 --at 372,380");
 }

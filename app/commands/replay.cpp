@@ -12,7 +12,7 @@ int capture(const PlayOptions& options, const FrameOptions& frames) {
   std::unique_ptr<FrameWriter> writer;
   const int code = play(options, [&](const Scenario& scenario) -> Watcher {
     writer = std::make_unique<FrameWriter>(frames, scenario);
-    return [&writer](const Lockstep& run) { writer->see(run); };
+    return [&writer](const Lockstep& run) { return writer->see(run); };
   });
   const std::string written = writer->finish();
   std::fprintf(options.json ? stderr : stdout, "%s", written.c_str());

@@ -101,6 +101,10 @@ TEST(CommandLine, ASessionIsEnteredAtTheLastWholeStateByThen) {
   EXPECT_THAT(capture.output, HasSubstr("2 PNG frames"));
   EXPECT_THAT(capture.output, HasSubstr("1 of the times lie before the run begins"));
   EXPECT_THAT(capture.output, HasSubstr(": 181 frames at 30 Hz"));   // from 35 s to 41.012 s
+  const ProcessResult pictures = runHalsted({"capture", session, "--from", "5", "--at", "6,7.5", "--out", folder.file("two"), "--size", "320x180"});
+  EXPECT_EQ(pictures.exitCode, 0) << pictures.errors;
+  EXPECT_THAT(pictures.output, HasSubstr("2 PNG frames"));
+  EXPECT_THAT(pictures.output, HasSubstr("not completed in 7.50 s simulated"));   // nothing more is to be drawn
   expectRefused({"replay", session, "--from", "42"}, "a.halsted: --from 42 s: the session ends at 41.012 s");
   expectRefused({"replay", session, "--from", "-1"}, "--from");
   expectRefused({"replay", session, "--from", "5", "--record", folder.file("b.halsted")}, "leave out --from");
