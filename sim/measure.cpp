@@ -160,13 +160,13 @@ std::array<double, 2> tailTensions(const Model& m, const State& s) {
   return tension;
 }
 
-void measureSeam(const SeamMetrics& seam, int lastBite, StepOutput& out) {
+void measureSeam(const SeamMetrics& seam, int lastBite, bool sewnOff, StepOutput& out) {
   const auto set = [&](Quantity q, double value) { out.seen[static_cast<int>(q)] = value; };
   set(Quantity::kCrossings, seam.join.crossings);
   set(Quantity::kRimGap, seam.join.rimGap);
   set(Quantity::kWallGap, seam.join.wallGap);
-  const bool released = out.seen[static_cast<int>(Quantity::kTailsHeld)] == 0.0 && seam.join.crossings > 0;
-  set(Quantity::kReleasedGap, released ? seam.join.wallGap : std::numeric_limits<double>::quiet_NaN());   // what is held up, or not sewn, meets no condition
+  const bool released = out.seen[static_cast<int>(Quantity::kTailsHeld)] == 0.0 && seam.join.crossings > 0 && sewnOff;
+  set(Quantity::kReleasedGap, released ? seam.join.wallGap : std::numeric_limits<double>::quiet_NaN());   // what is held up, or still being sewn, meets no condition
   set(Quantity::kInversion, seam.join.inversion);
   set(Quantity::kTailDifference, seam.join.tailDifference);
   set(Quantity::kWallShare, lastBite >= 0 ? seam.wallShare[lastBite] : 0.0);
@@ -197,7 +197,7 @@ void measureSuture(const Model& m, State& s, StepOutput& out) {
   set(Quantity::kTailsHeld, (s.tools[0].threadCoordinate >= 0.0) + (s.tools[1].threadCoordinate >= 0.0));
   set(Quantity::kTears, metrics.tears - before.tearsBefore);
   if (metrics.seam) {
-    measureSeam(*metrics.seam, last, out);
+    measureSeam(*metrics.seam, last, s.knot.cuts > 0, out);
     set(Quantity::kFullThickness, metrics.seam->fullThickness - before.fullThicknessBefore);
   }
   if (metrics.cut) observe(*metrics.cut, out.seen);

@@ -26,6 +26,7 @@ struct TissueParams {                          // [tissue]
   int substeps = 0;                            // substeps [1] xpbd, shape_matching; 0 = chosen so that the stiffness is true
   double resistance = 0.65;                    // resistance [1] shape_matching only (paper 003)
   int shapeIterations = 2;                     // shape_iterations [1] shape_matching only
+  bool bedded = false;                         // bedded: what it lies on carries its weight; false: it hangs from what is held in place
 };
 
 struct ContactParams {                         // [contact]

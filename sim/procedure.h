@@ -29,7 +29,7 @@ enum class Quantity : std::uint8_t {
   kCrossings,              // crossings                [1] stretches of thread from one bowel to the other
   kRimGap,                 // rim_gap                  [m] largest distance of the two edges along the sewn stretch
   kWallGap,                // wall_gap                 [m] the same between the outer walls near the edges
-  kReleasedGap,            // released_gap             [m] wall_gap of a stitch whose thread no hand holds; else not a number
+  kReleasedGap,            // released_gap             [m] wall_gap of a stitch whose needle is cut off and whose thread no hand holds; else not a number
   kInversion,              // inversion                [1] sine of the edges' mean turn toward their lumen
   kTailDifference,         // tail_difference          [m] between the lengths of the two tails
   kWallShare,              // wall_share               [1] depth of the last bite in the wall: 0 serosa, 1 mucosa

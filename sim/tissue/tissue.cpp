@@ -55,7 +55,7 @@ TissueModel buildTissue(const TetMesh& mesh, const SimParams& params) {
   TissueModel m;
   m.solver = params.tissue.solver;
   m.dt = params.dt;
-  m.gravity = params.gravity;
+  m.gravity = params.tissue.bedded ? Vec3(Vec3::Zero()) : params.gravity;
   m.massDamping = params.tissue.massDamping;
   const Lame material = lame(params.tissue.youngsModulus, params.tissue.poissonRatio);
   m.material = {material.mu, material.lambda, m.solver == TissueSolver::kProjective ? params.tissue.stiffening : 1.0, params.tissue.toeStrain};
