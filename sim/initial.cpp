@@ -57,9 +57,12 @@ void beginSuture(const Model& m, State& s) {
   s.work.self.place.assign(3 * m.surface.vertices.size() + 4, 0.0);
   for (NearPairs& near : s.work.self.nearby) {
     for (auto* list : {&near.vertex, &near.triangle}) list->resize(NearPairs::kMost);
+    near.far.resize(NearPairs::kMost);
     near.place.assign(m.surface.vertices.size(), Vec3::Zero());
   }
   s.work.self.ring.resize(m.mesh.vertices.size());
+  const std::size_t boxes = (m.surface.vertices.size() + VertexBoxes::kVertices - 1) / VertexBoxes::kVertices;
+  for (auto* corner : {&s.work.boxes.low, &s.work.boxes.high}) corner->assign(boxes, Vec3::Zero());
   s.work.self.give.resize(m.mesh.vertices.size());
   if (m.cut.present()) beginCut(m, s);
 }

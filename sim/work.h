@@ -56,6 +56,7 @@ struct NearPairs {
   int count = 0;
   std::int32_t goneTets = 0;                   // when it was made: it holds while no more are
   std::vector<std::int32_t> vertex, triangle;  // ascending triangles
+  std::vector<double> far;                     // [m] from one to the other when the list was made
   std::vector<Vec3> place;                     // [m] the surface's vertices at the last search through the cells
 };
 
@@ -85,6 +86,13 @@ struct SelfWork {
   std::array<std::int32_t, TissueState::kMaxPairs> pair{};
   std::array<PairGap, TissueState::kMaxPairs> gap;
   std::vector<double> give;                    // [1] contacts that push each particle, then [m/N] how far it goes when all do
+};
+
+/// Used by sim/contact: boxes about the surface's vertices, kVertices of them at a time, where they are in this step.
+struct VertexBoxes {
+  static constexpr int kVertices = 16;
+  bool filled = false;
+  std::vector<Vec3> low, high;                 // [m]
 };
 
 /// Used by sim/tools: the contacts and grasps of both tools as one small problem on the tissue's compliance.
@@ -122,6 +130,7 @@ struct StepWork {
   std::vector<Vec3> force;                     // [N] per particle: what the tissue carried from the last step
   std::vector<Vec3> change;                    // [N] per particle: what contacts changed in this one
   SelfWork self;
+  VertexBoxes boxes;
   CutWork cut;
 };
 

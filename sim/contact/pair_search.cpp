@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "sim/contact/face.h"
 #include "sim/contact/geometry.h"
@@ -117,6 +118,7 @@ bool enlist(const Face& face, int vertex, const Vec3& p, NearPairs& list) {   //
   if (list.count < NearPairs::kMost) {
     list.vertex[list.count] = vertex;
     list.triangle[list.count] = face.index;
+    list.far[list.count] = std::sqrt(far2);
   }
   ++list.count;
   return far2 <= kWatched * kWatched;
@@ -166,19 +168,25 @@ bool behindNeighbours(const Model& m, const SurfaceNow& now, int vertex, int tri
   return true;
 }
 
-/// Nothing has gone farther than a list allows for. False where something is not a number.
-bool stayed(const Model& m, std::span<const Vec3> x, const NearPairs& list) {   // [m]
-  constexpr double kSquared = kPairDrift * kPairDrift;   // [m^2]
-  bool near = true;
-  for (std::size_t i = 0; i < list.place.size(); ++i) near &= (x[m.surface.vertices[i]] - list.place[i]).squaredNorm() < kSquared;
-  return near;
+/// How far any vertex is from where it was when the list was made, squared; more than a list allows for where something is not a number.  [m^2]
+double drift(const Model& m, std::span<const Vec3> x, const NearPairs& list) {   // [m]
+  double most = 0.0;                             // [m^2]
+  bool numbers = true;
+  for (std::size_t i = 0; i < list.place.size(); ++i) {
+    const double gone = (x[m.surface.vertices[i]] - list.place[i]).squaredNorm();   // [m^2]
+    numbers &= gone == gone;
+    most = gone > most ? gone : most;
+  }
+  return numbers ? most : std::numeric_limits<double>::infinity();
 }
 
 int goneTets(const State& s) { return s.cut ? s.cut->goneTets : 0; }
 
 /// Through the cells. A list costs half as much again as a search: it is made where the last one served, or would have.
-void searchCells(const Model& m, const VertexGrid& grid, int turn, const Scope& scope, State& s) {
+void searchCells(const Model& m, int turn, const Scope& scope, State& s) {
   SelfWork& w = s.work.self;
+  const VertexGrid grid(m, s.tissue.position);
+  std::fill(w.ring.begin(), w.ring.end(), -1);   // no mark of an earlier step counts
   NearPairs& list = w.nearby[turn];
   list.whole = list.used = false;
   list.count = 0;
@@ -197,24 +205,38 @@ void searchCells(const Model& m, const VertexGrid& grid, int turn, const Scope& 
   list.whole = scope.list != nullptr && list.count <= NearPairs::kMost;
 }
 
-/// One triangle's part of the list, `from` to `to`, in the order of the cells.
-void searchListed(const Model& m, const VertexGrid& grid, const Face& face, std::array<int, 2> run, State& s) {
-  NearPairs& list = s.work.self.nearby[static_cast<std::size_t>(face.index % kPairRound)];
+/// A list as it is looked at in one step.
+struct ListLook {
+  NearPairs& list;
+  double within = 0.0;                           // [m] what was farther apart when the list was made cannot be near now
+  bool kept = false;                             // pairs of the last round may stay, and are marked
+  std::optional<VertexGrid> grid;                // made for the first triangle with two vertices to be put in order
+};
+
+/// One triangle's part of the list, in the order of the cells.
+void searchListed(const Model& m, const Face& face, std::array<int, 2> run, ListLook& look, State& s) {
+  SelfWork& w = s.work.self;
   const auto x = [&](int vertex) -> const Vec3& { return s.tissue.position[vertex]; };
-  int end = run[0];                              // the vertices inside the ball go first
-  for (int e = run[0]; e < run[1]; ++e)
-    if (insideBall(face, x(list.vertex[e])) && s.work.self.ring[list.vertex[e]] != keptMark(face.index)) std::swap(list.vertex[end++], list.vertex[e]);
-  const auto first = list.vertex.begin() + run[0], last = list.vertex.begin() + end;
-  std::sort(first, last, [&](int a, int b) {
-    const int left = grid.indexAt(x(a)), right = grid.indexAt(x(b));
-    return left != right ? left < right : a < b;
-  });
-  for (auto v = first; v != last; ++v) offer(m, face, *v, s);
+  int count = 0;
+  for (int e = run[0]; e < run[1]; ++e) {
+    const int v = look.list.vertex[e];
+    if (look.list.far[e] <= look.within && insideBall(face, x(v)) && !(look.kept && w.ring[v] == keptMark(face.index))) w.inside[count++] = v;
+  }
+  if (count > 1) {
+    if (!look.grid) look.grid.emplace(m, s.tissue.position);
+    std::sort(w.inside.begin(), w.inside.begin() + count, [&](int a, int b) {
+      const int left = look.grid->indexAt(x(a)), right = look.grid->indexAt(x(b));
+      return left != right ? left < right : a < b;
+    });
+  }
+  for (int i = 0; i < count; ++i) offer(m, face, w.inside[i], s);
 }
 
-void searchList(const Model& m, const VertexGrid& grid, int turn, State& s) {
+void searchList(const Model& m, int turn, double drifted, State& s) {   // [m]
   SelfWork& w = s.work.self;
-  NearPairs& list = w.nearby[turn];
+  ListLook look{w.nearby[turn], kWatched + 2.0 * drifted + kRoom, w.count > 0, std::nullopt};
+  NearPairs& list = look.list;
+  if (look.kept) std::fill(w.ring.begin(), w.ring.end(), -1);   // no mark of an earlier step counts
   list.used = true;
   int next = 0, e = 0;
   while (e < list.count || next < w.count) {
@@ -222,12 +244,13 @@ void searchList(const Model& m, const VertexGrid& grid, int turn, State& s) {
     const int listed = e < list.count ? list.triangle[e] : std::numeric_limits<int>::max();
     const int f = next < w.count ? std::min(listed, w.triangle[next]) : listed;
     const int first = e;
-    while (e < list.count && list.triangle[e] == f) ++e;
+    bool near = false;
+    for (; e < list.count && list.triangle[e] == f; ++e) near |= list.far[e] <= look.within;
     keepLoaded(f, next, s);
-    if (e == first) continue;
+    if (!near) continue;
     Face face = faceOf(m, s.tissue.position, f, Scope{});
     face.next = next;
-    searchListed(m, grid, face, {first, e}, s);
+    searchListed(m, face, {first, e}, look, s);
   }
 }
 
@@ -264,13 +287,12 @@ void searchPairs(const Model& m, State& s) {
   TissueState& t = s.tissue;
   SelfWork& w = s.work.self;
   const int turn = static_cast<int>(s.step % kPairRound), before = t.pairCount;
-  const VertexGrid grid(m, t.position);
   takeOut(turn, t, w);
-  std::fill(w.ring.begin(), w.ring.end(), -1);   // no mark of an earlier step counts
   NearPairs& list = w.nearby[turn];
-  const bool calm = list.goneTets == goneTets(s) && stayed(m, t.position, list);
-  if (calm && list.whole) searchList(m, grid, turn, s);
-  else searchCells(m, grid, turn, calm || list.used ? listScope(list) : Scope{}, s);
+  const double drifted = drift(m, t.position, list);   // [m^2]
+  const bool calm = list.goneTets == goneTets(s) && drifted < kPairDrift * kPairDrift;
+  if (calm && list.whole) searchList(m, turn, std::sqrt(drifted), s);
+  else searchCells(m, turn, calm || list.used ? listScope(list) : Scope{}, s);
   for (int i = t.pairCount; i < before; ++i) { t.pairVertex[i] = t.pairTriangle[i] = -1; t.pairForce[i] = 0.0; }
 }
 

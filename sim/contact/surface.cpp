@@ -46,9 +46,6 @@ void addCutFaces(const TetMesh& mesh, SurfaceModel& s) {
   }
 }
 
-/// Where nothing can be cut every vertex of the surface is bare, and none is asked.
-bool canBeNear(const SurfaceModel& s, const SurfaceNow& now, int vertex) { return now.gone.empty() || exposedVertex(s, now.gone, vertex); }
-
 }  // namespace
 
 bool exposedVertex(const SurfaceModel& s, std::span<const std::uint8_t> gone, int vertex) {

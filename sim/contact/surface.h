@@ -48,6 +48,9 @@ struct SurfaceNow {
   SurfaceNow(const std::vector<Vec3>& x, std::span<const std::uint8_t> g = {}) : position(x), gone(g) {}
 };
 
+/// Is the vertex bare? Where nothing can be cut every one is, and none is asked.
+inline bool canBeNear(const SurfaceModel& s, const SurfaceNow& now, int vertex) { return now.gone.empty() || exposedVertex(s, now.gone, vertex); }
+
 /// Walks from `vertex` downhill to the nearest surface vertex (updated), then looks at the triangles round it.
 /// Farther than `reach` [m] from that vertex nothing is examined and `triangle` stays -1.
 SurfacePoint nearestSurface(const SurfaceModel&, const SurfaceNow&, const Vec3& p, double reach, int& vertex);

@@ -233,6 +233,7 @@ bool punctures(const Model& m, const StrandState& s, const StrandContact& c, con
 
 void linkContacts(const Model& m, const SolidMotion& motion, State& state) {
   int fresh = 0;
+  state.work.boxes.filled = false;             // of an earlier step
   const double jawReach = 4e-3;                // [m] of thread on either side of the jaws
   SurfacePoint before;
   for (int i = 0; i < sampleCount(m.strand); ++i) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/contact/vertex_boxes.h"
 #include "sim/suture/edge_exit.h"
 #include "sim/suture/hole_sides.h"
 #include "sim/suture/holes.h"
@@ -68,7 +69,8 @@ SurfacePoint nearTissue(const Model& m, const StrandSample& x, State& state) {
   const int interval = searchInterval(m, state, x);
   if (!pressedIn && static_cast<int>(state.step % interval) == x.index % interval) {
     const bool flies = x.thread && m.bowels.count > 1;             // the side that it is on now, not the one where it would come out
-    s.nearVertex[x.index] = nearestVertex(m.surface, tissue, flies ? x.position : x.predicted);
+    if (!state.work.boxes.filled) fillBoxes(m.surface, tissue, state.work.boxes);
+    s.nearVertex[x.index] = nearestVertex(m.surface, tissue, state.work.boxes, flies ? x.position : x.predicted, s.nearVertex[x.index]);
     near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
   }
   if (!state.cut || !x.thread) return near;
