@@ -107,7 +107,7 @@ void main() {
   vec3 centre = (uModel * vec4(aCentre, 1.0)).xyz;
   vNormal = mat3(uModel) * aNormal;
   float pixel = uPixelSize * distance(uEye, centre);
-  float radius = max(aTube.x, 0.75 * pixel) + 0.5 * pixel;   // half a pixel more, which the edge fades over
+  float radius = aTube.x > 0.0 ? max(aTube.x, 0.75 * pixel) + 0.5 * pixel : 0.0;   // half a pixel more, which the edge fades over; none across a cut
   vPixels = radius / max(pixel, 1e-9);
   vPosition = centre + vNormal * radius;
   vShadow = (uShadowMatrix * vec4(vPosition, 1.0)).xyz;

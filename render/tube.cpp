@@ -124,7 +124,8 @@ void layRings(const Wire& wire, Tube& tube) {
     const int i = std::min(ring / kPerSegment, count - 2);
     const double t = static_cast<double>(ring) / kPerSegment - i;                 // [1]
     frame.twist = (1.0 - t) * angle(i) + t * angle(i + 1);
-    frame.radius = gap(i) && t > 0.0 ? 0.0 : thickness(wire, i + t);
+    const bool parted = gap(i) || (t == 0.0 && gap(i - 1));                       // both ends come to a point, or their shadow would lead across
+    frame.radius = parted ? 0.0 : thickness(wire, i + t);
     writeRing(frame, ring, tube);
   }
 }

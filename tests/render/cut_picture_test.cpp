@@ -72,6 +72,18 @@ TEST_F(CutPicture, AFaceIsSeenOnceItIsBare) {
   EXPECT_GT(difference(a, renderer.draw(snapshot, noHud(), scene.camera), 8), 0.01);
 }
 
+/// The needle's piece of a cut thread falls out of the picture; a line as thin as a pixel led after it.
+TEST_F(CutPicture, NothingIsDrawnBetweenTheEndsOfACutThread) {
+  Renderer renderer(scene, kWidth, kHeight);
+  const auto partedBy = [&](const Vec3& way) {   // [m]
+    RenderSnapshot parted = snapshot;
+    for (std::size_t i = parted.thread.size() / 2; i < parted.thread.size(); ++i) parted.thread[i] += way;
+    parted.needle.position += way;
+    return renderer.draw(parted, noHud(), scene.camera).rgba;
+  };
+  EXPECT_EQ(partedBy(Vec3(0.0, -5.0, 0.0)), partedBy(Vec3(5.0, 0.0, 0.0)));
+}
+
 TEST_F(CutPicture, HeatCharsWhatItTouches) {
   Renderer renderer(scene, kWidth, kHeight);
   const double raw = brightness(renderer.draw(snapshot, noHud(), closeCamera()));
