@@ -23,7 +23,12 @@ struct Audience {
   std::unique_ptr<Verifier> verifier;
   Watcher watcher;
   Trace trace;
-  bool toTheEnd = true;                        // even where the watcher has seen enough: others want the whole run
+  bool toTheEnd = true, seenEnough = false;    // others than the watcher want the whole run; it wants no more of it
+
+  bool watch(const Lockstep& run) {
+    seenEnough = watcher && !watcher(run);
+    return !seenEnough || toTheEnd;
+  }
 
   void record(const Lockstep& run) {
     recorder->addStep(run.input(), hash(run.state()));
@@ -36,8 +41,8 @@ struct Audience {
   bool see(const Lockstep& run) {
     trace.add(run.state(), run.output().events.data(), run.output().eventCount);
     if (recorder) record(run);
-    const bool enough = watcher && !watcher(run);
-    return verifier ? verifier->check(run) : !enough || toTheEnd;
+    const bool more = watch(run);
+    return more && (!verifier || verifier->check(run));
   }
 };
 
@@ -51,7 +56,7 @@ double runThrough(const PlayOptions& options, Lockstep& run, Audience& audience)
   const auto start = std::chrono::steady_clock::now();
   const double begin = run.time();             // [s]
   Progress progress;
-  bool more = !audience.watcher || audience.watcher(run) || audience.toTheEnd;
+  bool more = audience.watch(run);
   while (more && run.advance()) {
     more = audience.see(run);
     if (options.realtime) pace(start, run.time() - begin);
@@ -98,6 +103,7 @@ int verdict(const PlayOptions& options, const Lockstep& run, const Audience& aud
   }
   if (audience.verifier && !options.json)
     std::printf("  verified: all %llu state hashes are equal\n", static_cast<unsigned long long>(audience.verifier->stepsChecked()));
+  if (audience.seenEnough && !audience.toTheEnd && !options.json) std::printf("  ended with the last of the frames asked for\n");
   if (options.requireComplete && !summary.completed) {
     std::fprintf(stderr, "%s: the procedure was not completed\n", options.file.c_str());
     return kCheckFailed;
@@ -113,7 +119,7 @@ int play(const PlayOptions& options, const WatcherMaker& makeWatcher) {
   Lockstep run(scenario);
   if (options.from > 0.0) run.seek(static_cast<std::uint64_t>(options.from / scenario.model.params.dt + kRounding));
   Audience audience{nullptr, nullptr, nullptr, Trace(scenario.model.params.dt)};
-  audience.toTheEnd = !options.record.empty() || !options.report.empty() || options.requireComplete;
+  audience.toTheEnd = options.verify || options.requireComplete || !options.record.empty() || !options.report.empty();
   if (!options.record.empty()) audience.recorder = std::make_unique<SessionWriter>(options.record, sessionHeader(scenario, ""));
   if (options.verify) audience.verifier = std::make_unique<Verifier>();
   if (makeWatcher) audience.watcher = makeWatcher(scenario);

@@ -79,7 +79,7 @@ void addCapture(CLI::App& app, CommandLine& line) {
   command->add_option("--fps", line.frames.fps, "frames per second of simulated time")->capture_default_str()->check(CLI::Range(0.1, 1000.0));
   command->add_option("--size", line.size, "WIDTHxHEIGHT in pixels (default 1280x720)");
   command->add_option("--at", line.frames.times,
-                      "PNG frames at these times only, in seconds: 5,20,60; the run ends with the last, unless a video, record or report is asked for")
+                      "PNG frames at these times only, in seconds: 5,20,60; the run ends with the last, unless a video, record, report or check is asked for")
       ->delimiter(',')
       ->check(CLI::Range(0.0, 1e9));
   command->footer("Example: halsted capture run.halsted --video run.mp4 --fps 30 --size 1280x720 --out frames --at 5,20,60\n"

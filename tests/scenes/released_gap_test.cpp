@@ -43,6 +43,9 @@ TEST(ReleasedGap, IsOfNoStitchThatIsStillBeingSewn) {
   ends.letGo();
   EXPECT_EQ(lastSeen(ends, Quantity::kTailsHeld), 0.0);
   EXPECT_TRUE(std::isnan(lastSeen(ends, Quantity::kReleasedGap)));
+  ends.state.knot.cuts = 1;
+  ends.step();
+  EXPECT_EQ(lastSeen(ends, Quantity::kReleasedGap), lastSeen(ends, Quantity::kWallGap));
 }
 
 }  // namespace

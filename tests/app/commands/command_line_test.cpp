@@ -104,7 +104,11 @@ TEST(CommandLine, ASessionIsEnteredAtTheLastWholeStateByThen) {
   const ProcessResult pictures = runHalsted({"capture", session, "--from", "5", "--at", "6,7.5", "--out", folder.file("two"), "--size", "320x180"});
   EXPECT_EQ(pictures.exitCode, 0) << pictures.errors;
   EXPECT_THAT(pictures.output, HasSubstr("2 PNG frames"));
-  EXPECT_THAT(pictures.output, HasSubstr("not completed in 7.50 s simulated"));   // nothing more is to be drawn
+  EXPECT_THAT(pictures.output, HasSubstr("not completed in 7.50 s simulated"));
+  EXPECT_THAT(pictures.output, HasSubstr("ended with the last of the frames asked for"));
+  const ProcessResult checked = runHalsted({"capture", session, "--verify", "--from", "35", "--at", "35", "--out", folder.file("one"), "--size", "320x180"});
+  EXPECT_EQ(checked.exitCode, 0) << checked.errors;
+  EXPECT_THAT(checked.output, HasSubstr("all 6012 state hashes are equal"));   // drawn before the first step; all of it is checked
   expectRefused({"replay", session, "--from", "42"}, "a.halsted: --from 42 s: the session ends at 41.012 s");
   expectRefused({"replay", session, "--from", "-1"}, "--from");
   expectRefused({"replay", session, "--from", "5", "--record", folder.file("b.halsted")}, "leave out --from");
