@@ -11,6 +11,7 @@ namespace halsted::scenes {
 namespace {
 
 constexpr int kMostAdded = 2;                  // throws
+constexpr int kMostRedrawn = 4;                // times that a throw is drawn, or the tail taken for it
 
 bool begin(const Scene& s, std::string& failure) {
   KnotPlan& k = s.memory.knot;
@@ -37,12 +38,19 @@ bool wantsAnother(const Scene& s) {
   return true;
 }
 
-/// The long end is now on the other side of the stitch.
-void nextThrow(const Scene& s) {
+/// A throw that hangs is drawn again; else the next one follows: the long end is now on the other side of the stitch.
+void nextThrow(const Scene& s, std::string& failure) {
   if (!letTailGo(s)) return;
-  ++s.memory.knot.current;
-  s.memory.knot.misses = s.memory.knot.beside = 0;
-  s.memory.knot.side = -s.memory.knot.side;
+  KnotPlan& k = s.memory.knot;
+  if (s.state.knot.throws == 0) { failure = "the throw has come undone"; return; }
+  if (hangs(s)) {
+    if (++k.redrawn > kMostRedrawn) failure = "the throw does not stay on the wall";
+    goTo(s, kAgain);
+    return;
+  }
+  ++k.current;
+  k.misses = k.beside = 0;
+  k.side = -k.side;
   goTo(s, kLiftLong);
 }
 
@@ -93,7 +101,8 @@ bool runTie(const Scene& s, std::string& failure) {
   else if (e.phase == kUnwind) { if (unwind(s)) goTo(s, kLiftLong); }
   else if (e.phase <= kCross) drawThrough(s);
   else if (e.phase == kLayTail) { if (layTail(s)) goTo(s, kLetTail); }
-  else if (e.phase == kLetTail) nextThrow(s);
+  else if (e.phase == kLetTail) nextThrow(s, failure);
+  else if (e.phase >= kAgain) drawAgain(s);
   else if (drawTight(s)) {
     if (e.knot.current + 1 == e.knot.throws.size() && !wantsAnother(s)) return true;
     goTo(s, kLayTail);

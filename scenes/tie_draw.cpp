@@ -5,12 +5,15 @@
 #include "scenes/tie_places.h"
 #include "sim/strand/strand.h"
 #include "sim/suture/holes.h"
+#include "sim/suture/knot_place.h"
+#include "sim/suture/tied_loop.h"
 
 namespace halsted::scenes {
 namespace {
 
 constexpr double kTaut = 0.5;                  // [N] at which a tail on its way up is drawn no farther
 constexpr double kTailShare = 0.85;            // [1] of its length: how far from the tissue the tail is drawn up through the loop
+constexpr double kGentle = 0.15;               // [N]
 constexpr double kAside = 10e-3, kLow = 6e-3;  // [m] from the stitch as the ends begin to be drawn; above it
 constexpr double kOff = 0.1;                   // [N] felt when there is nothing more to come
 constexpr double kClings = 3.0;                // [s] after which it is wound again: it has come to lie between the jaws
@@ -21,10 +24,19 @@ constexpr double kReach = 0.09;                // [m] as far as an arm draws
 constexpr double kBehind = 10e-3;              // [m] that a hand lags where its device stops
 constexpr double kFeel = 0.5;                  // [N]
 constexpr double kLaySide = 0.5, kLayUp = 0.2; // [1] of the way toward the surgeon
-constexpr double kLaySlack = 0.8;              // [1] of the tail's straight length: as far from the stitch as it was drawn, it would still draw
+constexpr double kLaySlack = 0.95;             // [1] of the tail's straight length: as far from the stitch as it was drawn, it would still draw
+constexpr double kHangs = 2e-3;                // [m] of slack
 constexpr double kHoldTight = 0.3;             // [s]
 constexpr double kEased = 0.05, kEase = 0.1;   // [N] at the other hand as the tail is laid; [m/s]
 constexpr double kPatience = 12.0;             // [s] then it is as tight as it gets: over tissue that gives, two hands that feel each other see-saw
+
+std::optional<TiedLoop> loopOf(const Scene& s) {
+  const std::optional<KnotPlace> place = placeOfKnot(s.model, s.state);
+  return place ? std::optional<TiedLoop>({place->tail, place->tip}) : std::nullopt;
+}
+
+/// With what a loop that clings is drawn off: drawn harder, it would draw its own strand out of a throw that nothing locks yet.  [N]
+double firm(const Scene& s) { return s.memory.knot.current > 0 && locks(s.state.knot) == 0 ? kGentle : kFirm; }
 
 /// The other hand draws the loop off the driver's tips, on to the tail: until it is off and there is nothing more to come.
 void drawOffTips(const Scene& s) {
@@ -32,7 +44,7 @@ void drawOffTips(const Scene& s) {
   const double pull = s.state.tools[kLeft].threadForce.norm();   // [N]
   feel(k.felt[kLeft], pull, s.dt, kFeelTime);
   k.settled = k.felt[kLeft] > kOff ? k.settled + s.dt : 0.0;
-  if (pull < kFirm) {
+  if (pull < firm(s)) {
     k.drawn[kLeft] += kCareful * s.dt;
     const Vec3 from = stitch(s) + kOver * k.up - kBeyond * k.handle, offTips = (k.up - k.handle).normalized();   // [m], [1]
     moveHand(s, kLeft, keepTurn(s, kLeft, from + k.drawn[kLeft] * offTips), 2.0 * kCareful);
@@ -50,12 +62,15 @@ void drawThrough(const Scene& s) {
   const KnotPlan& k = e.knot;
   const Vec3 p = stitch(s);
   if (e.phase == kThrough) {
-    const Vec3 from = holePoint(s.model, tailHole(s), s.state.tissue.position);
     const ToolState& driver = s.state.tools[kRight];
-    const double reach = kTailShare * (tailHole(s).coordinate - driver.threadCoordinate - kPerThrow * k.current);   // [m]
-    const Vec3 back = from + reach * (k.handle + k.up).normalized();
-    const bool taut = driver.threadForce.norm() > kTaut || s.state.tools[kLeft].threadForce.norm() > kFirm;
-    const bool drawn = taut || moveHand(s, kRight, keepTurn(s, kRight, back), kCareful);
+    if (s.inPhase < 1.5 * s.dt) {
+      const std::optional<KnotPlace> place = k.current > 0 ? placeOfKnot(s.model, s.state) : std::nullopt;
+      const double knot = place ? place->tailOut : tailHole(s).coordinate;   // [m] where the tail leaves the throws that lie
+      const double reach = kTailShare * (knot - driver.threadCoordinate);   // [m] farther, the tail would be drawn straight, and the throw slide up along it
+      e.goal[kRight] = keepTurn(s, kRight, strandPoint(s.model.strand, s.state.strand, knot) + reach * (k.handle + k.up).normalized());
+    }
+    const bool taut = driver.threadForce.norm() > kTaut || s.state.tools[kLeft].threadForce.norm() > firm(s);
+    const bool drawn = taut || moveHand(s, kRight, e.goal[kRight], kCareful);
     if (!drawn) { moveHand(s, kLeft, keepTurn(s, kLeft, p + kOver * k.up - kBeyond * k.handle), kCareful); return; }
     drawOffTips(s);
   } else {
@@ -71,7 +86,8 @@ void drawThrough(const Scene& s) {
 }
 
 /// Each hand draws its end until it feels the tension; true once both have held it for a moment. The tail is to stay short and comes
-/// slowly, unless the other hand's device has come to its stop.
+/// slowly, unless the other hand's device has come to its stop; and not before that hand has taken up its slack, or the tail alone would draw the
+/// throw below apart.
 bool drawTight(const Scene& s) {
   ExpertState& e = s.memory;
   KnotPlan& k = e.knot;
@@ -79,7 +95,8 @@ bool drawTight(const Scene& s) {
   for (int h = 0; h < kHands; ++h) {
     feel(k.felt[h], s.state.tools[h].threadForce.norm(), s.dt, kFeelTime);
     const double lack = (s.action.tension - k.felt[h]) / kFeel;   // [1]
-    const double pace = std::fmax(-1.0, std::fmin(h == kRight && !stopped ? kHoldTail : 1.0, lack));   // [1]
+    const double most = h == kLeft || stopped ? 1.0 : k.felt[kLeft] > kOff || k.drawn[kLeft] >= kReach ? kHoldTail : 0.0;   // [1]
+    const double pace = std::fmax(-1.0, std::fmin(most, lack));  // [1]
     stopped = (e.hand[h].command.position - s.state.tools[h].proxy.position).norm() > kBehind;
     const double by = pace * (k.felt[h] > kOff ? kDrawTaut : kDraw) * s.dt;   // [m]
     if (!stopped || by < 0.0) k.drawn[h] = std::fmin(kReach, std::fmax(0.0, k.drawn[h] + by));
@@ -88,7 +105,21 @@ bool drawTight(const Scene& s) {
     moveHand(s, h, {e.goal[h].position + k.drawn[h] * way, e.goal[h].orientation}, 0.1);
   }
   k.settled = tight ? k.settled + s.dt : 0.0;
-  return k.settled > kHoldTight || s.inPhase > kPatience;
+  if (k.settled <= kHoldTight && s.inPhase <= kPatience) return false;
+  const std::optional<TiedLoop> loop = loopOf(s);
+  k.beyond = loop ? threadBeyondWay(s.model, s.state, *loop) : 0.0;
+  return true;
+}
+
+/// Measured against the loop as it was drawn: over an edge its way is longer than that from hole to hole.
+bool hangs(const Scene& s) {
+  if (locks(s.state.knot) > 0) return false;
+  const std::optional<TiedLoop> loop = loopOf(s);
+  return loop && !isTaut(s.model, s.state, *loop) && threadBeyondWay(s.model, s.state, *loop) > std::fmax(0.0, s.memory.knot.beyond) + kHangs;
+}
+
+void drawAgain(const Scene& s) {
+  if (pickUp(s, kRight, tailGrip(s), kAgain)) goTo(s, holdsTail(s) ? kCross : kLetTail);
 }
 
 /// The tail is laid toward the surgeon, away from the thread between the knot and the holes, or the jaws would take that for it. The other

@@ -6,7 +6,8 @@ namespace halsted::scenes {
 
 enum TiePhase {
   kLook, kNearer, kNearerDown, kNearerClose, kLiftIt, kHang, kFreeDriver = kHang + kHangingPhases, kFreeLong, kTakeLong, kTakeLongDown, kTakeLongClose,
-  kShorten, kTurn, kLiftLong, kStand, kWind, kFollow, kOpen, kToTail, kClose, kThrough, kUnwind, kCross, kDrawTight, kLayTail, kLetTail
+  kShorten, kTurn, kLiftLong, kStand, kWind, kFollow, kOpen, kToTail, kClose, kThrough, kUnwind, kCross, kDrawTight, kLayTail, kLetTail,
+  kAgain, kAgainDown, kAgainClose
 };
 
 inline constexpr double kMove = 0.08, kCareful = 0.03;   // [m/s] of a hand through the air; near thread
@@ -35,5 +36,9 @@ bool drawTight(const Scene&);
 bool layTail(const Scene&);
 /// The driver lets go what it holds and rises; true once it is up.
 bool letTailGo(const Scene&);
+/// Has the loop under a throw that nothing locks yet come to hang since that was drawn? Locked, it would hang for good.
+bool hangs(const Scene&);
+/// The driver takes the tail again, with no loop on its jaws, and both ends are drawn apart once more.
+void drawAgain(const Scene&);
 
 }  // namespace halsted::scenes

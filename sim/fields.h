@@ -129,10 +129,10 @@ template <class V> void visitMembers(ThreadContactState& object, FieldWalk<V>& w
   walk.members("contacts", std::span<ThreadContact>(contacts.data(), static_cast<std::size_t>(count)));
 }
 template <class V> void visitMembers(KnotState& object, FieldWalk<V>& walk) {
-  auto& [watched, complete, throws, turns, sense, crossingsLeft, gap, size, toolTurns, breaks, cuts] = object;
+  auto& [watched, complete, throws, turns, sense, crossingsLeft, tail, tip, toolTurns, breaks, cuts] = object;
   if (!watched) return;
-  walk.members("complete, throws, turns, sense, crossingsLeft, gap, size, toolTurns, breaks, cuts", complete, throws, turns, sense, crossingsLeft,
-               gap, size, toolTurns, breaks, cuts);
+  walk.members("complete, throws, turns, sense, crossingsLeft, tail, tip, toolTurns, breaks, cuts", complete, throws, turns, sense, crossingsLeft,
+               tail, tip, toolTurns, breaks, cuts);
   if (throws < 0 || throws > KnotState::kMostThrows) throws = 0;   // read from damaged data
 }
 HALSTED_FIELDS(AssistKnot, placed, locked, tail, tip, apart, drawn, seated, felt, locks, slipped)

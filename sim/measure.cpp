@@ -10,6 +10,7 @@
 #include "sim/suture/fresh_thread.h"
 #include "sim/suture/hole_sides.h"
 #include "sim/suture/holes.h"
+#include "sim/suture/tied_loop.h"
 
 namespace halsted {
 namespace {
@@ -172,6 +173,12 @@ void measureSeam(const SeamMetrics& seam, int lastBite, bool sewnOff, StepOutput
   set(Quantity::kWallShare, lastBite >= 0 ? seam.wallShare[lastBite] : 0.0);
 }
 
+/// Thread between the tissue and the knot, mean of its two strands.  [m]
+double gapToKnot(const State& s) {
+  if (s.knot.throws == 0 || s.strand.holeCount == 0) return 0.0;
+  return std::fmax(0.0, 0.5 * (s.strand.holes[0].coordinate - s.knot.tail + s.knot.tip - s.strand.holes[s.strand.holeCount - 1].coordinate));
+}
+
 void measureSuture(const Model& m, State& s, StepOutput& out) {
   if (s.metrics.seam) followTip(m, s.strand, *s.metrics.seam);
   countBites(m, s, out);
@@ -212,8 +219,9 @@ void measureSuture(const Model& m, State& s, StepOutput& out) {
   set(Quantity::kKnotLocks, locks(knot) + (s.assist && s.assist->locked));
   set(Quantity::kWrongThrows, slides(knot));
   set(Quantity::kFirstTurns, knot.turns[0]);
-  set(Quantity::kKnotGap, knot.gap);
-  set(Quantity::kKnotSize, knot.size);
+  set(Quantity::kKnotGap, gapToKnot(s));
+  const std::optional<TiedLoop> loop = out.seen[static_cast<int>(Quantity::kTailsHeld)] == 0.0 ? finishedLoop(m, s) : std::nullopt;
+  set(Quantity::kLoopSlack, loop ? loopSlack(m, s, *loop) : std::numeric_limits<double>::quiet_NaN());   // what is held up meets no condition
   set(Quantity::kToolTurns, knot.toolTurns[kRight] < 0 ? -knot.toolTurns[kRight] : knot.toolTurns[kRight]);
   set(Quantity::kThreadBreaks, knot.breaks);
   set(Quantity::kThreadCuts, knot.cuts);

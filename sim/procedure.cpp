@@ -7,7 +7,7 @@ constexpr std::array<const char*, kQuantities> kNames = {
     "time",          "needle_held",  "bites",            "stitch_across_opening", "bite_spacing", "bite_depth", "tail_tension",
     "peak_tension",  "opening_fraction", "rim_to_anvil", "tails_held",            "peak_force",   "tears",
     "crossings",     "rim_gap",      "wall_gap",         "released_gap", "inversion",             "tail_difference", "wall_share", "thread_cuts", "full_thickness", "partial_thickness",
-    "throws",        "knot_locks",   "wrong_throws",     "first_turns",           "knot_gap",     "knot_size",  "tool_turns",
+    "throws",        "knot_locks",   "wrong_throws",     "first_turns",           "knot_gap",     "loop_slack",  "tool_turns",
     "thread_breaks", "stitches",     "threads_left",
     "tip_to_point",  "finger_to_point", "skin_pressed",    "entry_offset",          "needle_depth", "depth_error", "angle_error",
     "layers_punctured", "twirls",       "lifts",           "needle_grasp",          "withdrawal_speed", "needle_out",

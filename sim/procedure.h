@@ -41,7 +41,7 @@ enum class Quantity : std::uint8_t {
   kWrongThrows,            // wrong_throws             [1] throws wound the same way as the one before (x): granny
   kFirstTurns,             // first_turns              [1] turns of the first throw: 2 in a surgeon's knot
   kKnotGap,                // knot_gap                 [m] thread between tissue and knot: more than a few mm is an air knot
-  kKnotSize,               // knot_size                [m] thread within the knot: a loose loop is long
+  kLoopSlack,              // loop_slack               [m] thread of a stitch that is cut off and let go, beyond the way round its holes; 0 where it pulls; else not a number
   kToolTurns,              // tool_turns               [1] turns of thread about the right tool, of either sense
   kThreadBreaks,           // thread_breaks            [1] places where the thread has parted
   kStitches,               // stitches                 [1] tied and cut off, still in the tissue

@@ -8,10 +8,13 @@
 #include "sim/state.h"
 #include "sim/suture/fresh_thread.h"
 #include "sim/suture/holes.h"
+#include "sim/suture/tied_loop.h"
 #include "sim/tools/load_driver.h"
 
 namespace halsted {
 namespace {
+
+constexpr double kLoose = 3e-3;                // [m] a loop that hangs farther does not hold its walls
 
 std::vector<TissuePoint> holesOf(const State& s, int stitch) {   // one past the kept ones: the running strand
   const int kept = s.stitches ? s.stitches->count : 0;
@@ -75,6 +78,17 @@ std::vector<double> spacings(const std::vector<Vec3>& places) {   // [m]
   return apart;
 }
 
+/// How far each loop hangs, of the stitches kept and of the running strand's; nought where it pulls.  [m]
+std::vector<double> slacks(const Model& m, const State& s) {
+  std::vector<double> slack;                   // [m]
+  for (int k = 0; k < s.stitches->count; ++k) {
+    const TiedStitch& stitch = s.stitches->stitch[k];
+    slack.push_back(stitch.tension > 0.0 ? 0.0 : std::max(0.0, stitch.length - loopLength(m, stitch, s.tissue.position)));
+  }
+  if (const std::optional<TiedLoop> loop = finishedLoop(m, s)) slack.push_back(loopSlack(m, s, *loop));
+  return slack;
+}
+
 }  // namespace
 
 JoinMetrics measureWholeSeam(const Model& m, const State& s) {
@@ -94,6 +108,7 @@ std::vector<std::pair<std::string, double>> summariseStitches(const Model& m, co
   if (!s.stitches || !m.join.present()) return {};
   const JoinMetrics seam = measureWholeSeam(m, s);
   const std::vector<double> apart = spacings(crossingsInOrder(m, s));   // [m]
+  const std::vector<double> slack = slacks(m, s);                 // [m]
   double sum = 0.0, pull = 0.0;                // [m], [N]
   for (double d : apart) sum += d;
   for (int k = 0; k < s.stitches->count; ++k) pull = std::max(pull, s.stitches->stitch[k].tension);
@@ -104,6 +119,8 @@ std::vector<std::pair<std::string, double>> summariseStitches(const Model& m, co
           {"stitch_spacing_min_m", apart.empty() ? 0.0 : apart.front()},
           {"stitch_spacing_max_m", apart.empty() ? 0.0 : apart.back()},
           {"stitch_tension_max_n", pull},
+          {"stitch_slack_max_m", slack.empty() ? 0.0 : *std::max_element(slack.begin(), slack.end())},
+          {"stitches_loose", static_cast<double>(std::count_if(slack.begin(), slack.end(), [](double hangs) { return hangs > kLoose; }))},
           {"seam_wall_gap_m", seam.wallGap},
           {"seam_inversion_deg", 180.0 / kPi * arcSine(std::clamp(seam.inversion, -1.0, 1.0))},
           {"seam_sewn_share_1", seam.sewnShare}};

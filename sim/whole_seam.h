@@ -11,7 +11,7 @@ namespace halsted {
 /// As `measureJoin`, over the stretch from the first stitch to the last, all round but the widest gap between two.
 JoinMetrics measureWholeSeam(const Model&, const State&);
 
-/// How the stitches of a scene with `thread.spare` lie: their number, spacing, reach and pull, and the widest gap between the walls from the
+/// How the stitches of a scene with `thread.spare` lie: their number, spacing, reach, pull and slack (loose: over 3 mm), and the widest gap between the walls from the
 /// first to the last. Name with its unit, value; nothing in other scenes.
 std::vector<std::pair<std::string, double>> summariseStitches(const Model&, const State&);
 

@@ -102,11 +102,6 @@ bool findCrossings(const std::vector<Vec3>& seen, std::size_t most, std::vector<
   return true;
 }
 
-void widen(NodeRange& range, int node) {
-  range.first = range.first < 0 ? node : std::min(range.first, node);
-  range.last = std::max(range.last, node);
-}
-
 // A view in which all crossings belong to throws shows the knot; of these the one with the fewest. Ten directions without symmetry do but
 // for one double throw in two hundred, whose diagram keeps a crossing too many: then thirty more.
 constexpr int kFirstViews = 10, kViews = 40;
@@ -140,30 +135,15 @@ KnotReader::KnotReader(int nodes) {
   const int most = 2 * nodes + 2;              // two points of the curve for every node, and both ends led away
   straight_.reserve(most);
   seen_.reserve(most);
-  node_.reserve(most);
   visits_.reserve(2 * kMostCrossings);
   diagram_.code.reserve(2 * kMostCrossings);
   diagram_.sign.reserve(kMostCrossings);
 }
 
-/// Node of the thread that lies nearest to a place on the straightened one: a long straight piece is crossed anywhere.
-int KnotReader::nodeAt(std::span<const Vec3> nodes, double along) const {   // [m], [1]
-  const std::size_t piece = static_cast<std::size_t>(along);
-  const double share = along - static_cast<double>(piece);   // [1]
-  const Vec3 place = straight_[piece] + share * (straight_[piece + 1] - straight_[piece]);
-  int nearest = node_[piece];
-  for (int i = nearest + 1; i <= node_[piece + 1]; ++i)
-    if ((nodes[i] - place).squaredNorm() < (nodes[nearest] - place).squaredNorm()) nearest = i;
-  return nearest;
-}
-
-bool KnotReader::project(std::span<const Vec3> nodes, const Vec3& direction) {   // [m], [1]
+bool KnotReader::project(const Vec3& direction) {   // [1]
   turn(straight_, direction, seen_);
   if (!findCrossings(seen_, kMostCrossings, visits_, diagram_)) return false;
-  for (SeenVisit& v : visits_) {
-    v.visit.node = nodeAt(nodes, v.along);
-    diagram_.code.push_back(v.visit);
-  }
+  for (const SeenVisit& v : visits_) diagram_.code.push_back(v.visit);
   reduceDiagram(diagram_);
   return true;
 }
@@ -178,10 +158,6 @@ KnotReading KnotReader::takeThrows() {
     if (n == 0 || !reading.throws.add({(n - 1) / 2, d.sign[d.code[i].crossing]})) { ++i; continue; }
     // The next throw of the same loop encloses the last: it begins before the place and ends after it.
     if (where >= 0 && !(i < where && where < i + 2 * n)) reading.complete = false;
-    for (int k = 0; k < n; ++k) {
-      widen(reading.tailSide, d.code[i + k].node);
-      widen(reading.tipSide, d.code[i + n + k].node);
-    }
     d.code.erase(d.code.begin() + i, d.code.begin() + i + 2 * n);
     where = i;
     i = 0;
@@ -191,9 +167,9 @@ KnotReading KnotReader::takeThrows() {
   return reading;
 }
 
-void KnotReader::lookFrom(std::span<const Vec3> nodes, int views, KnotReading& best, int& fewest) {
+void KnotReader::lookFrom(int views, KnotReading& best, int& fewest) {
   for (int n = 0; n < views && !(n >= kFirstViews && best.complete); ++n) {
-    if (!project(nodes, viewDirection(n))) continue;
+    if (!project(viewDirection(n))) continue;
     const int crossings = diagram_.crossings();
     const KnotReading reading = takeThrows();
     const bool better = reading.complete != best.complete ? reading.complete : crossings < fewest;
@@ -207,10 +183,10 @@ KnotReading KnotReader::read(std::span<const Vec3> nodes) {
   KnotReading best;
   best.crossingsLeft = kMostCrossings;
   int fewest = kMostCrossings + 1;
-  lookFrom(nodes, kViews, best, fewest);
+  lookFrom(kViews, best, fewest);
   for (int again = 0; again < kLooks && !best.complete; ++again) {
     drawIn();
-    lookFrom(nodes, kFirstViews, best, fewest);
+    lookFrom(kFirstViews, best, fewest);
   }
   return best;
 }

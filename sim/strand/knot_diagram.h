@@ -15,8 +15,8 @@
 
 namespace halsted {
 
-/// One passage of the thread through a crossing; the node of the thread before it.
-struct CrossingVisit { int crossing; bool over; int node = 0; };
+/// One passage of the thread through a crossing.
+struct CrossingVisit { int crossing; bool over; };
 
 struct KnotDiagram {
   std::vector<CrossingVisit> code;             // along the thread: each crossing twice, once over and once under
@@ -43,14 +43,10 @@ class ThrowList {
   std::size_t count_ = 0;
 };
 
-/// Nodes of the thread from `first` to `last`.
-struct NodeRange { int first = -1, last = -1; };
-
 struct KnotReading {
   ThrowList throws;
   bool complete = false;                       // all crossings belong to throws on one loop
   int crossingsLeft = 0;                       // that belong to no throw
-  NodeRange tailSide, tipSide;                 // of the two strands within the knot
 };
 
 /// Crossings seen along `direction`.
@@ -83,13 +79,11 @@ class KnotReader {
   void sampleCurve(std::span<const Vec3> nodes);   // [m]
   void straighten(std::span<const Vec3> nodes);   // [m]
   void drawIn();                               // moves corners of what is straightened
-  void lookFrom(std::span<const Vec3> nodes, int views, KnotReading& best, int& fewest);   // [m]
-  int nodeAt(std::span<const Vec3> nodes, double along) const;   // [m], [1]
-  bool project(std::span<const Vec3> nodes, const Vec3& direction);   // [m], [1] false: more crossings than fit
+  void lookFrom(int views, KnotReading& best, int& fewest);
+  bool project(const Vec3& direction);         // [1] false: more crossings than fit
   KnotReading takeThrows();
 
   std::vector<Vec3> straight_, seen_;          // [m]
-  std::vector<int> node_;                      // of the thread, for each point of `straight_`
   std::vector<Visit> visits_;
   KnotDiagram diagram_;
 };

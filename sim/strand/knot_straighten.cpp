@@ -38,13 +38,12 @@ bool isClear(const std::vector<Vec3>& x, const std::array<Vec3, 3>& triangle, in
 bool isFree(const std::vector<Vec3>& x, int i) { return isClear(x, {x[i - 1], x[i], x[i + 1]}, i - 2, i + 1); }
 
 /// Takes out every point that may go; of those that follow each other every other one first, so that the thread shrinks evenly.
-void dropFree(std::vector<Vec3>& x, std::vector<int>& node) {
+void dropFree(std::vector<Vec3>& x) {
   for (bool changed = true; changed;) {
     changed = false;
     for (int i = 1; i + 1 < static_cast<int>(x.size()); ++i) {
       if (!isFree(x, i)) continue;
       x.erase(x.begin() + i);
-      node.erase(node.begin() + i);
       changed = true;
     }
   }
@@ -69,15 +68,13 @@ void moveCorners(std::vector<Vec3>& x) {
 /// The curve that touches (thread_curve.h), not the polygon of its nodes: in a tight knot the polygon's corners pass through each other.
 void KnotReader::sampleCurve(std::span<const Vec3> nodes) {
   straight_.clear();
-  node_.clear();
-  const auto add = [&](const Vec3& x, int node) { straight_.push_back(x); node_.push_back(node); };
   const int last = static_cast<int>(nodes.size()) - 1;
-  if (last >= 0) add(nodes[0], 0);
+  if (last >= 0) straight_.push_back(nodes[0]);
   for (int p = 0; p + 2 <= last; ++p) {
-    add(curvePoint(nodes, curveWeights(p, 0.0)), p);
-    add(curvePoint(nodes, curveWeights(p, 0.5)), p + 1);
+    straight_.push_back(curvePoint(nodes, curveWeights(p, 0.0)));
+    straight_.push_back(curvePoint(nodes, curveWeights(p, 0.5)));
   }
-  if (last >= 1) add(nodes[last], last);
+  if (last >= 1) straight_.push_back(nodes[last]);
 }
 
 void KnotReader::straighten(std::span<const Vec3> nodes) {
@@ -97,15 +94,13 @@ void KnotReader::straighten(std::span<const Vec3> nodes) {
   const Vec3 tail = led(x.front(), x[1]), tip = led(x.back(), x[x.size() - 2]);
   x.insert(x.begin(), tail);
   x.push_back(tip);
-  node_.insert(node_.begin(), 0);
-  node_.push_back(node_.back());
-  dropFree(x, node_);
+  dropFree(x);
 }
 
 void KnotReader::drawIn() {
   for (int round = 0; round < kRounds && straight_.size() > 3; ++round) {
     moveCorners(straight_);
-    dropFree(straight_, node_);
+    dropFree(straight_);
   }
 }
 

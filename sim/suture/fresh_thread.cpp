@@ -10,6 +10,7 @@
 #include "sim/suture/holes.h"
 #include "sim/suture/knotting.h"
 #include "sim/suture/stitch_course.h"
+#include "sim/suture/tied_loop.h"
 #include "sim/tools/instrument.h"
 #include "sim/tools/load_driver.h"
 #include "sim/tools/tool_shape.h"
@@ -18,21 +19,9 @@ namespace halsted {
 namespace {
 
 constexpr double kFree = 6e-3;                 // [m] between the new thread and whatever else there is
-constexpr double kSlackTension = 0.01;         // [N] below it the loop is loose
 
 const Hole& firstHole(const State& s) { return s.strand.holes[0]; }
 const Hole& lastHole(const State& s) { return s.strand.holes[s.strand.holeCount - 1]; }
-
-bool needleInTissue(const Model& m, const State& s) {
-  return lastHole(s).coordinate > m.strand.length || lastHole(s).role == static_cast<std::int32_t>(HoleRole::kTip);
-}
-
-std::optional<TiedLoop> tiedLoop(const State& s) {
-  if (s.assist && s.assist->locked) return TiedLoop{s.assist->tail, s.assist->tip};
-  const KnotState& k = s.knot;
-  if (!k.complete || locks(k) < 1) return std::nullopt;
-  return TiedLoop{std::max(0.0, firstHole(s).coordinate - k.gap), lastHole(s).coordinate + k.gap};
-}
 
 /// Mean tension of the thread between the two ends of the loop.  [N]
 double loopTension(const Model& m, const State& s, const TiedLoop& loop) {
@@ -69,7 +58,7 @@ ThreadRefusal refusal(const Model& m, const State& s) {
   return ThreadRefusal::kNone;
 }
 
-/// The tied loop goes on as a stitch of its own, through the same holes and with the same pull.
+/// The tied loop goes on as a stitch of its own, through the same holes and with the same pull; one that is loose, with the same slack.
 void keepStitch(const Model& m, State& s, StepOutput& out) {
   const std::optional<TiedLoop> loop = finishedLoop(m, s);
   if (!loop) return;
@@ -78,8 +67,8 @@ void keepStitch(const Model& m, State& s, StepOutput& out) {
   for (int i = 0; i < count; ++i) holes[i] = placeOf(s.strand.holes[i]);
   if (!tieStitch(m, s, {holes.data(), static_cast<std::size_t>(count)}, loop->tip - loop->tail)) return;
   TiedStitch& stitch = s.stitches->stitch[s.stitches->count - 1];
-  const double pull = loopTension(m, s, *loop);                  // [N]
-  if (pull > kSlackTension) loadStitch(m, s.tissue.position, pull, stitch);
+  if (isTaut(m, s, *loop)) loadStitch(m, s.tissue.position, loopTension(m, s, *loop), stitch);
+  else stitch.length = loopLength(m, stitch, s.tissue.position) + loopSlack(m, s, *loop);   // as it runs from now on: straight from hole to hole
   keepCourse(m, s, *loop, stitch);
   pushEvent(out, {s.step, EventKind::kStitchFinished, -1, s.stitches->count, stitch.length});
 }
@@ -113,14 +102,6 @@ void countAnew(State& s) {
 }
 
 }  // namespace
-
-std::optional<TiedLoop> finishedLoop(const Model& m, const State& s) {
-  if (s.strand.holeCount < 2 || needleInTissue(m, s)) return std::nullopt;
-  const std::optional<TiedLoop> loop = tiedLoop(s);
-  if (!loop) return std::nullopt;
-  const double end = threadEnd(m, s, lastHole(s).coordinate);    // [m]
-  return end < m.strand.length && end > loop->tip ? loop : std::nullopt;
-}
 
 int finishedStitches(const Model& m, const State& s) {
   const auto bowel = [&](int tet) { return m.bowels.of[m.tissue.tets[tet][0]]; };

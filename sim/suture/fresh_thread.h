@@ -5,11 +5,9 @@
 ///
 /// The scene has one strand, a chain that cannot leave in part. So its tied loop becomes a `TiedStitch` in that moment and not at the cut:
 /// until then the surgeon may still hold the tails. The loop goes on through the same holes and pulls with the tension that the thread
-/// had; then the whole strand is laid anew, hanging from the driver, as at the scene's start. Tissue is not touched: no particle moves,
+/// had, or hangs as far as it hung; then the whole strand is laid anew, hanging from the driver, as at the scene's start. Tissue is not touched: no particle moves,
 /// and what pulls on it changes only by the thread that lay on the wall and the turn of the thread at the holes. What is put elsewhere is
 /// thread that nobody holds, in nothing, and the driver must be so far from the wall that the new thread hangs free. Physics thread; no heap.
-#include <optional>
-
 #include "sim/suture/thread_supply.h"
 
 namespace halsted {
@@ -17,14 +15,6 @@ namespace halsted {
 struct Model;
 struct State;
 struct StepOutput;
-
-/// Between these coordinates the strand is a closed loop: where its two ends enter the knot.
-struct TiedLoop {
-  double tail = 0.0, tip = 0.0;                // [m]
-};
-
-/// The stitch of the running strand, if it is tied and the needle cut off; whether by the beginner's knot or by throws that lock.
-std::optional<TiedLoop> finishedLoop(const Model&, const State&);
 
 /// Stitches that are tied and cut off, those kept and the running strand's; of two ends only what joins them: one half torn out is none.
 int finishedStitches(const Model&, const State&);

@@ -14,8 +14,7 @@ struct KnotState {
   std::int32_t throws = 0;
   std::array<std::int32_t, kMostThrows> turns{}, sense{};   // [1] of each throw in the order of tying; +1 or -1
   std::int32_t crossingsLeft = 0;              // at the last look, in full or not
-  double gap = 0.0;                            // [m] of thread between the tissue and the knot, mean of its two strands
-  double size = 0.0;                           // [m] of thread within the knot, mean of its two strands
+  double tail = 0.0, tip = 0.0;                // [m] coordinates at which the loop's two strands enter the knot (knot_place.h)
   std::array<std::int32_t, kHands> toolTurns{};     // [1] signed turns of the thread about each tool
   std::int32_t breaks = 0;                     // places where the thread is parted
   std::int32_t cuts = 0;                       // of these, with blades

@@ -4,6 +4,7 @@
 
 #include "sim/strand/tool_winding.h"
 #include "sim/suture/holes.h"
+#include "sim/suture/knot_place.h"
 #include "sim/tools/instrument.h"
 
 namespace halsted {
@@ -24,19 +25,9 @@ bool meetsItself(const ThreadContactState& t) {
   return false;
 }
 
-double lengthOf(const StrandModel& m, const NodeRange& r) { return m.place[r.last] - m.place[r.first]; }   // [m]
-
-/// Thread between the knot and the first and last hole.  [m]
-double gapToTissue(const StrandModel& m, const StrandState& s, const KnotReading& r) {
-  if (s.holeCount == 0) return 0.0;
-  const double tail = s.holes[0].coordinate - m.place[r.tailSide.last];                       // [m]
-  const double tip = m.place[r.tipSide.first] - s.holes[s.holeCount - 1].coordinate;          // [m]
-  return std::max(0.0, 0.5 * (tail + tip));
-}
-
 /// Thread that lies over its own knot can hide it for a while; it cannot untie it. So what cannot be read leaves what was read last, and
 /// thread that has come free of itself is read again.
-void writeReading(const Model& m, const StrandState& s, const KnotReading& r, KnotState& k) {
+void writeReading(const KnotReading& r, KnotState& k) {
   k.crossingsLeft = r.crossingsLeft;
   if (!r.complete) return;
   k.complete = true;
@@ -47,10 +38,15 @@ void writeReading(const Model& m, const StrandState& s, const KnotReading& r, Kn
     k.turns[i] = r.throws[i].turns;
     k.sense[i] = r.throws[i].sign;
   }
-  k.gap = k.size = 0.0;
-  if (k.throws == 0) return;
-  k.gap = gapToTissue(m.strand, s, r);
-  k.size = 0.5 * (lengthOf(m.strand, r.tailSide) + lengthOf(m.strand, r.tipSide));
+}
+
+/// Where it lies; while nothing is felt of that, where it lay.
+void writePlace(const Model& m, const State& s, KnotState& k) {
+  if (k.throws == 0) k.tail = k.tip = 0.0;
+  else if (const std::optional<KnotPlace> place = placeOfKnot(m, s)) {
+    k.tail = place->tail;
+    k.tip = place->tip;
+  }
 }
 
 /// Turns of the stretch of thread that lies about a tool's jaws or shaft.
@@ -76,7 +72,8 @@ void watchKnots(const Model& m, State& s, StepOutput& out) {
   KnotState& k = s.knot;
   if (!k.watched || !due(m, s)) return;
   const int before = k.throws;
-  writeReading(m, s.strand, meetsItself(s.threadContacts) ? s.work.knotReader.read(s.strand.position) : KnotReading{{}, true, 0, {}, {}}, k);
+  writeReading(meetsItself(s.threadContacts) ? s.work.knotReader.read(s.strand.position) : KnotReading{{}, true, 0}, k);
+  writePlace(m, s, k);
   for (int hand = 0; hand < kHands; ++hand) k.toolTurns[hand] = turnsOf(m, s, hand);
   k.breaks = 0;
   for (std::uint8_t cut : s.threadContacts.cut) k.breaks += cut;

@@ -5,7 +5,7 @@
 #include "sim/model.h"
 #include "sim/state.h"
 #include "sim/strand/strand.h"
-#include "sim/suture/fresh_thread.h"
+#include "sim/suture/tied_loop.h"
 
 namespace halsted {
 namespace {

@@ -56,13 +56,12 @@ class SewnEnds {
     }
     for (int k = 0; k < 500; ++k) step();
   }
-  /// A locked knot close to the tissue.
-  void tieOff() {
-    constexpr double kClose = 1e-3;            // [m]
+  /// A locked knot so near to the tissue.
+  void tieOff(double close = 1e-3) {           // [m]
     AssistKnot& k = *state.assist;
     k.placed = k.locked = true;
-    k.tail = state.strand.holes[0].coordinate - kClose;
-    k.tip = state.strand.holes[state.strand.holeCount - 1].coordinate + kClose;
+    k.tail = state.strand.holes[0].coordinate - close;
+    k.tip = state.strand.holes[state.strand.holeCount - 1].coordinate + close;
     k.apart = (strandPoint(model.strand, state.strand, k.tail) - strandPoint(model.strand, state.strand, k.tip)).norm();
     for (int i = 0; i < 500; ++i) step();
   }

@@ -182,5 +182,25 @@ TEST_F(Winding, JawsThatHaveClosedOnTheNeedleOpenBeforeATurnIsWound) {
   EXPECT_EQ(memory->phase, scenes::kUnwind);
 }
 
+/// In `lembert` six of ten loops were locked as they hung: nobody looked at the first throw again.
+TEST_F(Winding, AThrowThatHangsIsDrawnOnceMoreBeforeTheNextIsWound) {
+  script = scenes::parseExpert("scene = \"wall\"\n[[action]]\ndo = \"tie\"\ntie = \"1=1\"\nlimit_s = 60\n", "test");
+  memory = scenes::beginExpert(script, w.model);
+  runTo(scenes::kLetTail);
+  const Vec3 side = memory->knot.side;         // [1]
+  while (memory->phase == scenes::kLetTail) {  // the surgeon sees a limp loop that is longer than it was drawn
+    memory->knot.beyond = 0.0;
+    std::fill(w.state.strand.tension.begin(), w.state.strand.tension.end(), 0.0);
+    ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+  }
+  ASSERT_EQ(memory->phase, scenes::kAgain);
+  EXPECT_EQ(memory->knot.current, 0u);
+  runTo(scenes::kDrawTight);
+  EXPECT_EQ(memory->knot.side, side);          // to the same sides
+  EXPECT_EQ(w.state.knot.throws, 1);
+  runTo(scenes::kWind);
+  EXPECT_EQ(memory->knot.current, 1u);
+}
+
 }  // namespace
 }  // namespace halsted

@@ -1,0 +1,82 @@
+/// Where a knot lies on its thread, and whether its loop is drawn or hangs.
+#include "sim/suture/tied_loop.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/suture/knot_place.h"
+#include "tests/sim/laced_wall.h"
+
+namespace halsted {
+namespace {
+
+/// A stitch whose two strands press on each other only where a test says.
+struct Pressed : LacedWall {
+  Pressed() : LacedWall(std::vector<int>{3}) { state.threadContacts.count = 0; }
+
+  double first() const { return state.strand.holes[0].coordinate; }
+  double last() const { return state.strand.holes[state.strand.holeCount - 1].coordinate; }
+  int pieceAt(double coordinate) const { return threadSpot(model.strand, coordinate).node - 1; }   // [m]
+  /// So far before the first hole and past the last.
+  void press(double tail, double tip, double force) {            // [m], [N]
+    ThreadContact& c = state.threadContacts.contacts[state.threadContacts.count++];
+    c.sample = pieceAt(first() - tail) * kMostSamples;
+    c.partner = pieceAt(last() + tip);
+    c.normalForce = force;
+  }
+};
+
+TEST(KnotPlace, IsWhereTheTwoStrandsPressOnEachOther) {
+  Pressed w;
+  EXPECT_FALSE(placeOfKnot(w.model, w.state).has_value());
+  for (double in : {3e-3, 4e-3, 5e-3, 6e-3}) w.press(in, in + 2e-3, 0.1);
+  const KnotPlace place = placeOfKnot(w.model, w.state).value();
+  const double node = w.model.strand.segment;  // [m]
+  EXPECT_NEAR(w.first() - place.tail, 3e-3, node);
+  EXPECT_NEAR(place.tip - w.last(), 5e-3, node);
+  EXPECT_NEAR(w.first() - place.tailOut, 6e-3, node);
+  EXPECT_NEAR(place.tipOut - w.last(), 8e-3, node);
+}
+
+/// A tail that lay over its loop was taken for the knot: a loop that hung by 7 mm seemed tight.
+TEST(KnotPlace, PassesOverAStrandThatOnlyLiesAcrossTheLoop) {
+  Pressed w;
+  for (double in : {8e-3, 9e-3, 10e-3}) w.press(in, in, 0.1);
+  const KnotPlace before = placeOfKnot(w.model, w.state).value();
+  w.press(20e-3, 1e-3, 0.01);
+  w.press(1e-3, 15e-3, 0.002);
+  const KnotPlace place = placeOfKnot(w.model, w.state).value();
+  EXPECT_EQ(place.tail, before.tail);
+  EXPECT_EQ(place.tip, before.tip);
+}
+
+/// The loop through the wall of two laced ends that hands have drawn with 3 N.
+struct Drawn : LacedWall {
+  Drawn(std::span<const int> halfTwists) : LacedWall(halfTwists) { drawTight(3.0, 1.0); }
+  TiedLoop loop() const {
+    const KnotPlace place = placeOfKnot(model, state).value();
+    return {place.tail, place.tip};
+  }
+  double thread() const { return loop().tip - loop().tail; }     // [m]
+};
+
+/// However long its way over the wall's edge is.
+TEST(TiedLoop, AThrowIsDrawnDownOnTheWallAndItsLoopIsTaut) {
+  const Drawn w(std::vector<int>{3});
+  std::printf("%.2f mm of thread in the loop, %.2f N\n", 1e3 * w.thread(), loopPull(w.model, w.state, w.loop()));
+  EXPECT_GT(w.thread(), 3.0 * kWallX);
+  EXPECT_TRUE(isTaut(w.model, w.state, w.loop()));
+  EXPECT_EQ(loopSlack(w.model, w.state, w.loop()), 0.0);
+}
+
+/// Two throws laced before either is drawn lock each other where they meet, off the wall: an air knot.
+TEST(TiedLoop, ThrowsThatLockEachOtherOffTheWallLeaveALoopThatHangs) {
+  const Drawn w(std::vector<int>{3, -3});
+  const double slack = loopSlack(w.model, w.state, w.loop());    // [m]
+  std::printf("%.2f mm of thread in the loop, of which %.2f hang; %.4f N\n", 1e3 * w.thread(), 1e3 * slack, loopPull(w.model, w.state, w.loop()));
+  EXPECT_FALSE(isTaut(w.model, w.state, w.loop()));
+  EXPECT_GT(slack, 10e-3);
+  EXPECT_NEAR(slack, w.thread() - 2.0 * kWallX, 2e-3);           // the stitch goes straight through
+}
+
+}  // namespace
+}  // namespace halsted
