@@ -114,6 +114,7 @@ bool drawTight(const Scene& s) {
 /// Measured against the loop as it was drawn: over an edge its way is longer than that from hole to hole.
 bool hangs(const Scene& s) {
   if (locks(s.state.knot) > 0) return false;
+  if (s.action.gap > 0.0 && s.state.metrics.seam && s.state.metrics.seam->join.wallGap > s.action.gap) return true;
   const std::optional<TiedLoop> loop = loopOf(s);
   return loop && !isTaut(s.model, s.state, *loop) && threadBeyondWay(s.model, s.state, *loop) > std::fmax(0.0, s.memory.knot.beyond) + kHangs;
 }

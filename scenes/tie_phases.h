@@ -36,7 +36,8 @@ bool drawTight(const Scene&);
 bool layTail(const Scene&);
 /// The driver lets go what it holds and rises; true once it is up.
 bool letTailGo(const Scene&);
-/// Has the loop under a throw that nothing locks yet come to hang since that was drawn? Locked, it would hang for good.
+/// Has the loop under a throw that nothing locks yet come to hang since that was drawn, or have the walls come apart that it is to hold? Locked, they
+/// would stay so for good.
 bool hangs(const Scene&);
 /// The driver takes the tail again, with no loop on its jaws, and both ends are drawn apart once more.
 void drawAgain(const Scene&);

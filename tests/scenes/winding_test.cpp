@@ -8,6 +8,7 @@
 #include "scenes/tie_phases.h"
 #include "scenes/tie_places.h"
 #include "sim/portable_math.h"
+#include "tests/scenes/sewn_ends.h"
 #include "tests/scenes/tied_wall.h"
 
 namespace halsted {
@@ -200,6 +201,24 @@ TEST_F(Winding, AThrowThatHangsIsDrawnOnceMoreBeforeTheNextIsWound) {
   EXPECT_EQ(w.state.knot.throws, 1);
   runTo(scenes::kWind);
   EXPECT_EQ(memory->knot.current, 1u);
+}
+
+/// In `altemeier` the walls stand apart by themselves: the first throw lets go what no other takes back.
+TEST(DrawnAgain, WhereWallsHaveComeFartherApartThanTheActionAllows) {
+  SewnEnds ends({.stitches = 1});
+  scenes::ExpertState memory;
+  scenes::ExpertAction action;
+  const scenes::Scene scene{ends.model, ends.state, memory, action, 1e-3, 0.0};
+  ends.state.metrics.seam->join.wallGap = 2e-3;
+  EXPECT_FALSE(scenes::hangs(scene)) << "nobody asks for it";
+  action.gap = 1.5e-3;
+  EXPECT_TRUE(scenes::hangs(scene));
+  ends.state.metrics.seam->join.wallGap = 1.4e-3;
+  EXPECT_FALSE(scenes::hangs(scene));
+  ends.state.metrics.seam->join.wallGap = 2e-3;
+  ends.state.knot.throws = 2;
+  ends.state.knot.sense = {1, -1};
+  EXPECT_FALSE(scenes::hangs(scene)) << "locked, it is not drawn any more";
 }
 
 }  // namespace
