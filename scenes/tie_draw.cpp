@@ -4,7 +4,6 @@
 #include "scenes/tie_phases.h"
 #include "scenes/tie_places.h"
 #include "sim/strand/strand.h"
-#include "sim/suture/holes.h"
 #include "sim/suture/knot_place.h"
 #include "sim/suture/tied_loop.h"
 

@@ -19,6 +19,7 @@ constexpr double kWindRise = -kRise, kLeftRise = 0.7;   // [1] of the other hand
 constexpr double kUpJaws = 12e-3;              // [m] above the tips: where the thread goes round; what the jaws grip lies lower
 constexpr double kSlant = 0.05;                // [1] of the thread toward the tips: turns lie side by side; more, and the first slides off
 constexpr double kSlack = 6e-3;                // [m] kept in the long end so that the jaws can open inside the loop
+constexpr double kPerThrow = 6e-3;             // [m] of each end that a throw takes up
 constexpr double kLoop = 2.3e-3;               // [m] radius of a turn about the jaws
 constexpr double kNearest = 6e-3, kFarthest = 35e-3;   // [m] of the winding hand from the driver
 constexpr double kPerTurn = 20e-3;             // [m] of the long end that a second turn takes

@@ -5,8 +5,6 @@
 
 namespace halsted::scenes {
 
-inline constexpr double kPerThrow = 6e-3;      // [m] of each end that a throw takes up
-
 /// Holes at which the tail and the long end leave the tissue.
 const Hole& tailHole(const Scene&);
 const Hole& longHole(const Scene&);

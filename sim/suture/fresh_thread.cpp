@@ -23,14 +23,6 @@ constexpr double kFree = 6e-3;                 // [m] between the new thread and
 const Hole& firstHole(const State& s) { return s.strand.holes[0]; }
 const Hole& lastHole(const State& s) { return s.strand.holes[s.strand.holeCount - 1]; }
 
-/// Mean tension of the thread between the two ends of the loop.  [N]
-double loopTension(const Model& m, const State& s, const TiedLoop& loop) {
-  double sum = 0.0;                            // [N]
-  int count = 0;
-  for (int i = threadSpot(m.strand, loop.tail).node; i <= threadSpot(m.strand, loop.tip).node; ++i, ++count) sum += std::max(0.0, s.strand.tension[i]);
-  return sum / count;
-}
-
 /// Would thread that hangs from here lie in the wall, or in a tool?
 bool inTheWay(const Model& m, const State& s) {
   const ToolState& driver = s.tools[kRight];

@@ -54,6 +54,8 @@ double loopPull(const Model& m, const State& s, const TiedLoop& loop) {
   return std::min(meanTension(m, s, loop.tail, firstHole(s).coordinate), meanTension(m, s, lastHole(s).coordinate, loop.tip));
 }
 
+double loopTension(const Model& m, const State& s, const TiedLoop& loop) { return meanTension(m, s, loop.tail, loop.tip); }
+
 bool isTaut(const Model& m, const State& s, const TiedLoop& loop) { return loopPull(m, s, loop) > kTaut; }
 
 double threadBeyondWay(const Model& m, const State& s, const TiedLoop& loop) {

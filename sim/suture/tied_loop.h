@@ -18,6 +18,9 @@ std::optional<TiedLoop> finishedLoop(const Model&, const State&);
 /// Pull of the loop on the knot: the lesser of its two strands' between knot and tissue, the mean of each.  [N]
 double loopPull(const Model&, const State&, const TiedLoop&);
 
+/// Mean tension all the way round.  [N]
+double loopTension(const Model&, const State&, const TiedLoop&);
+
 /// Whether it is drawn: with a hundredth of a newton.
 bool isTaut(const Model&, const State&, const TiedLoop&);
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/suture/knot_place.h"
+#include "sim/suture/knot_watch.h"
 #include "tests/sim/laced_wall.h"
 
 namespace halsted {
@@ -58,6 +59,24 @@ struct Drawn : LacedWall {
   }
   double thread() const { return loop().tip - loop().tail; }     // [m]
 };
+
+/// What is written down of it, too, while nothing is felt of it.
+TEST(KnotPlace, IsWrittenDownAndStaysWhereItLayWhileNothingIsFelt) {
+  Drawn w(std::vector<int>{3});
+  const auto look = [&] {
+    w.state.step = 0;
+    watchKnots(w.model, w.state, w.out);
+    return w.state.knot;
+  };
+  const KnotState felt = look();
+  EXPECT_EQ(felt.tail, w.loop().tail);
+  EXPECT_EQ(felt.tip, w.loop().tip);
+  for (int i = 0; i < w.state.threadContacts.count; ++i) w.state.threadContacts.contacts[i].normalForce = 0.0;
+  const KnotState after = look();
+  EXPECT_EQ(after.throws, 1);
+  EXPECT_EQ(after.tail, felt.tail);
+  EXPECT_EQ(after.tip, felt.tip);
+}
 
 /// However long its way over the wall's edge is.
 TEST(TiedLoop, AThrowIsDrawnDownOnTheWallAndItsLoopIsTaut) {
