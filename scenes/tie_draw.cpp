@@ -34,8 +34,11 @@ std::optional<TiedLoop> loopOf(const Scene& s) {
   return place ? std::optional<TiedLoop>({place->tail, place->tip}) : std::nullopt;
 }
 
-/// With what a loop that clings is drawn off: drawn harder, it would draw its own strand out of a throw that nothing locks yet.  [N]
-double firm(const Scene& s) { return s.memory.knot.current > 0 && locks(s.state.knot) == 0 ? kGentle : kFirm; }
+/// Is there a throw below that nothing locks yet, and that a pull on one end alone draws apart?
+bool loosensThrow(const Scene& s) { return s.memory.knot.current > 0 && locks(s.state.knot) == 0; }
+
+/// With what a loop that clings is drawn off.  [N]
+double firm(const Scene& s) { return loosensThrow(s) ? kGentle : kFirm; }
 
 /// The other hand draws the loop off the driver's tips, on to the tail: until it is off and there is nothing more to come.
 void drawOffTips(const Scene& s) {
@@ -94,7 +97,8 @@ bool drawTight(const Scene& s) {
   for (int h = 0; h < kHands; ++h) {
     feel(k.felt[h], s.state.tools[h].threadForce.norm(), s.dt, kFeelTime);
     const double lack = (s.action.tension - k.felt[h]) / kFeel;   // [1]
-    const double most = h == kLeft || stopped ? 1.0 : k.felt[kLeft] > kOff || k.drawn[kLeft] >= kReach ? kHoldTail : 0.0;   // [1]
+    const bool ready = !loosensThrow(s) || stopped || k.felt[kLeft] > kOff || k.drawn[kLeft] >= kReach;
+    const double most = h == kLeft || stopped ? 1.0 : ready ? kHoldTail : 0.0;   // [1]
     const double pace = std::fmax(-1.0, std::fmin(most, lack));  // [1]
     stopped = (e.hand[h].command.position - s.state.tools[h].proxy.position).norm() > kBehind;
     const double by = pace * (k.felt[h] > kOff ? kDrawTaut : kDraw) * s.dt;   // [m]

@@ -60,7 +60,7 @@ TEST(InstrumentTie, ThrowsOfOppositeSenseLockTheOneBeforeAndHold) {
   EXPECT_EQ(w.seen(Quantity::kWrongThrows), 0);
   EXPECT_GT(w.seen(Quantity::kTailTension), 2.0);   // [N]
   EXPECT_TRUE(w.pull().held);
-  EXPECT_GT(w.stitchLeftAlone(), 0.01);        // [N] under locked throws it stays taut (tied_loop.h), by the little that is left once the first has borne it alone
+  EXPECT_GT(w.stitchLeftAlone(), 0.04);        // [N] under locked throws it keeps some, of the little that is left once the first has borne it alone
 }
 
 /// A double throw, of two turns round the driver, under two single ones that are wound to and fro.
