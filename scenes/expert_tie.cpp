@@ -3,6 +3,8 @@
 /// the tissue. (Wound about a driver that stands upright, thread only twists like a rubber band, and comes undone.) The driver opens,
 /// takes the short tail, closes and draws it back through the loop; both ends are drawn apart, the long end toward the tail's side. The
 /// next throw is wound from there, the other way round for a square knot, so that the hands change sides with every throw.
+#include <utility>
+
 #include "scenes/stitch_frame.h"
 #include "scenes/tie_phases.h"
 #include "scenes/tie_places.h"
@@ -12,6 +14,7 @@ namespace {
 
 constexpr int kMostAdded = 2;                  // throws
 constexpr int kMostRedrawn = 4;                // times that a throw is drawn, or the tail taken for it
+constexpr double kGain = 0.5e-3;               // [m]
 
 bool begin(const Scene& s, std::string& failure) {
   KnotPlan& k = s.memory.knot;
@@ -38,16 +41,24 @@ bool wantsAnother(const Scene& s) {
   return true;
 }
 
-/// A throw that hangs is drawn again; else the next one follows: the long end is now on the other side of the stitch.
+/// A loop that hangs is drawn once more, and again while that gains something: a single throw let go opens as far as its thread springs.
+bool wantsDrawing(const Scene& s) {
+  KnotPlan& k = s.memory.knot;
+  const double hangs = hangsBy(s), before = std::exchange(k.hung, hangs);   // [m]
+  return wallsCameApart(s) || (hangs > 0.0 && hangs < before - kGain);
+}
+
+/// A throw that wants it is drawn again; else the next one follows: the long end is now on the other side of the stitch.
 void nextThrow(const Scene& s, std::string& failure) {
   if (!letTailGo(s)) return;
   KnotPlan& k = s.memory.knot;
-  if (hangs(s)) {
+  if (wantsDrawing(s)) {
     if (++k.redrawn > kMostRedrawn) failure = "the throw does not stay on the wall";
     goTo(s, kAgain);
     return;
   }
   ++k.current;
+  k.hung = KnotPlan{}.hung;
   k.misses = k.beside = 0;
   k.side = -k.side;
   goTo(s, kLiftLong);

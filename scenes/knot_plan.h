@@ -29,6 +29,7 @@ struct KnotPlan {
   double given = 0.0;                          // [m] by which the winding hand has given way
   double lower = 0.0;                          // [m] by which the driver stands nearer to the stitch than its thread allows: its device has come to a stop, or the winding hand has nothing more to give
   double beyond = 0.0;                         // [m] of thread in the loop beyond the way from hole to hole, as its last throw was drawn
+  double hung = 1.0;                           // [m] of that as this throw's loop was last seen to hang: farther than any can
   int redrawn = 0;                             // how often a throw has been drawn again, as its loop hung
   int misses = 0;                              // of the tail, or of a loop that clings or slides off, in this throw
   int beside = 0;                              // how often of these the jaws closed beside the tail, or the loop did not reach so far: it is taken a little further along

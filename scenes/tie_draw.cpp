@@ -115,11 +115,16 @@ bool drawTight(const Scene& s) {
 }
 
 /// Measured against the loop as it was drawn: over an edge its way is longer than that from hole to hole.
-bool hangs(const Scene& s) {
-  if (locks(s.state.knot) > 0) return false;
-  if (s.action.gap > 0.0 && s.state.metrics.seam && s.state.metrics.seam->join.wallGap > s.action.gap) return true;
+double hangsBy(const Scene& s) {
+  if (locks(s.state.knot) > 0) return 0.0;
   const std::optional<TiedLoop> loop = loopOf(s);
-  return loop && !isTaut(s.model, s.state, *loop) && threadBeyondWay(s.model, s.state, *loop) > std::fmax(0.0, s.memory.knot.beyond) + kHangs;
+  if (!loop || isTaut(s.model, s.state, *loop)) return 0.0;
+  const double beyond = threadBeyondWay(s.model, s.state, *loop);   // [m]
+  return beyond > std::fmax(0.0, s.memory.knot.beyond) + kHangs ? beyond : 0.0;
+}
+
+bool wallsCameApart(const Scene& s) {
+  return locks(s.state.knot) == 0 && s.action.gap > 0.0 && s.state.metrics.seam && s.state.metrics.seam->join.wallGap > s.action.gap;
 }
 
 void drawAgain(const Scene& s) {

@@ -36,9 +36,10 @@ bool drawTight(const Scene&);
 bool layTail(const Scene&);
 /// The driver lets go what it holds and rises; true once it is up.
 bool letTailGo(const Scene&);
-/// Has the loop under a throw that nothing locks yet come to hang since that was drawn, or have the walls come apart that it is to hold? Locked, they
-/// would stay so for good.
-bool hangs(const Scene&);
+/// By how much thread beyond its way a loop hangs that has come loose since its throw was drawn, 0 if it has not; have the walls come apart that it
+/// is to hold? Asked of a throw that nothing locks yet: locked, they would stay so for good.
+double hangsBy(const Scene&);                  // [m]
+bool wallsCameApart(const Scene&);
 /// The driver takes the tail again, with no loop on its jaws, and both ends are drawn apart once more.
 void drawAgain(const Scene&);
 

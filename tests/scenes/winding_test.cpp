@@ -199,8 +199,9 @@ TEST_F(Winding, AThrowThatHangsIsDrawnOnceMoreBeforeTheNextIsWound) {
   runTo(scenes::kDrawTight);
   EXPECT_EQ(memory->knot.side, side);          // to the same sides
   EXPECT_EQ(w.state.knot.throws, 1);
-  runTo(scenes::kWind);
+  runTo(scenes::kWind);                        // what hangs as before is left: the tie failed here when a single throw opened by 2.02 mm each time
   EXPECT_EQ(memory->knot.current, 1u);
+  EXPECT_EQ(memory->knot.redrawn, 1);
 }
 
 /// In `altemeier` the walls stand apart by themselves: the first throw lets go what no other takes back.
@@ -210,15 +211,15 @@ TEST(DrawnAgain, WhereWallsHaveComeFartherApartThanTheActionAllows) {
   scenes::ExpertAction action;
   const scenes::Scene scene{ends.model, ends.state, memory, action, 1e-3, 0.0};
   ends.state.metrics.seam->join.wallGap = 2e-3;
-  EXPECT_FALSE(scenes::hangs(scene)) << "nobody asks for it";
+  EXPECT_FALSE(scenes::wallsCameApart(scene)) << "nobody asks for it";
   action.gap = 1.5e-3;
-  EXPECT_TRUE(scenes::hangs(scene));
+  EXPECT_TRUE(scenes::wallsCameApart(scene));
   ends.state.metrics.seam->join.wallGap = 1.4e-3;
-  EXPECT_FALSE(scenes::hangs(scene));
+  EXPECT_FALSE(scenes::wallsCameApart(scene));
   ends.state.metrics.seam->join.wallGap = 2e-3;
   ends.state.knot.throws = 2;
   ends.state.knot.sense = {1, -1};
-  EXPECT_FALSE(scenes::hangs(scene)) << "locked, it is not drawn any more";
+  EXPECT_FALSE(scenes::wallsCameApart(scene)) << "locked, it is not drawn any more";
 }
 
 }  // namespace
