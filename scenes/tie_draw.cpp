@@ -61,7 +61,7 @@ void drawOffTips(const Scene& s) {
 /// The tail comes through the loop, then the hands go to their sides.
 void drawThrough(const Scene& s) {
   ExpertState& e = s.memory;
-  const KnotPlan& k = e.knot;
+  KnotPlan& k = e.knot;
   const Vec3 p = stitch(s);
   if (e.phase == kThrough) {
     const ToolState& driver = s.state.tools[kRight];
@@ -71,7 +71,9 @@ void drawThrough(const Scene& s) {
       const double reach = kTailShare * (knot - driver.threadCoordinate);   // [m] farther, the tail would be drawn straight, and the throw slide up along it
       e.goal[kRight] = keepTurn(s, kRight, strandPoint(s.model.strand, s.state.strand, knot) + reach * (k.handle + k.up).normalized());
     }
-    const bool taut = driver.threadForce.norm() > kTaut || s.state.tools[kLeft].threadForce.norm() > firm(s);
+    const double half = 0.5 * (driver.threadCoordinate + tailHole(s).coordinate);   // [m]
+    feel(k.felt[kRight], strandTension(s.model.strand, s.state.strand, half, 1), s.dt, kFeelTime);   // the jaws feel the wall, too, on which the tail lay
+    const bool taut = k.felt[kRight] > kTaut || s.state.tools[kLeft].threadForce.norm() > firm(s);
     const bool drawn = taut || moveHand(s, kRight, e.goal[kRight], kCareful);
     if (!drawn) { moveHand(s, kLeft, keepTurn(s, kLeft, p + kOver * k.up - kBeyond * k.handle), kCareful); return; }
     drawOffTips(s);
@@ -81,8 +83,8 @@ void drawThrough(const Scene& s) {
     const bool left = moveHand(s, kLeft, keepTurn(s, kLeft, p - 2.0 * kAside * k.side + low * k.up), kMove);
     if (!right || !left) return;
     for (int h = 0; h < kHands; ++h) e.goal[h] = e.hand[h].command;
-    e.knot.drawn = e.knot.felt = {};
-    e.knot.settled = 0.0;
+    k.drawn = k.felt = {};
+    k.settled = 0.0;
     goTo(s, kDrawTight);
   }
 }

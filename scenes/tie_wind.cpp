@@ -14,6 +14,7 @@ constexpr double kSnug = 0.03, kGive = 0.06, kMostGive = 0.3;   // [N] more woul
 constexpr double kWider = 6e-3, kOpening = 0.4;   // [m] of thread that the opening jaws take up in a turn; [s]
 constexpr double kTight = 0.15;                // [N] at the winding hand: a loop drawn tighter holds the jaws like a capstan
 constexpr double kDrawsOn = 0.5, kCaught = 6.0; // [N] of thread on the driver: it goes no farther; [s] then the loop is caught on something
+constexpr double kShortOf = 1e-3;             // [m] along the shaft: jaws take thread that lies so far before their tips, and past it the lower one digs into the wall
 constexpr double kArrived = 1e-3, kSettle = 0.6;   // [m] of the jaws from the tail: the device is behind its hand; [s] pressed on tissue, it comes no nearer
 constexpr double kShort = 4e-3;                // [m] that the driver, which nothing holds, is short of its place where its device stops
 constexpr int kLoopTaken = 2;                  // misses of the tail: a loop that comes between the jaws again lies badly and is wound anew
@@ -127,7 +128,7 @@ void fetchTail(const Scene& s, std::string& failure) {
     follow(s);
     if (s.inPhase > 0.5) goTo(s, kToTail);
   } else if (e.phase == kToTail) {
-    if (s.inPhase < 1.5 * s.dt) e.goal[kRight] = {grip.position - 1e-3 * (grip.orientation * Vec3::UnitZ()), grip.orientation};   // not after thread that gives way into soft tissue
+    if (s.inPhase < 1.5 * s.dt) e.goal[kRight] = above(grip, kShortOf);
     const bool sent = isLoose(s) && moveHand(s, kRight, e.goal[kRight], kCareful);
     const bool there = sent && (s.inPhase > kSettle || (s.state.tools[kRight].proxy.position - e.goal[kRight].position).norm() < kArrived);
     follow(s);

@@ -8,6 +8,7 @@
 #include "scenes/tie_phases.h"
 #include "scenes/tie_places.h"
 #include "sim/portable_math.h"
+#include "sim/strand/strand.h"
 #include "tests/scenes/sewn_ends.h"
 #include "tests/scenes/tied_wall.h"
 
@@ -171,6 +172,28 @@ TEST_F(Winding, AShortPieceIsHeldAllTheSame) {
   EXPECT_TRUE(scenes::holdsLong(scene));
   held = scenes::longHole(scene).coordinate + 20e-3;
   EXPECT_FALSE(scenes::holdsLong(scene));
+}
+
+/// The tail lies on the wall: tips sent past it dig into that.
+TEST_F(Winding, TheJawsStopBeforeTheTail) {
+  runTo(scenes::kClose);
+  const scenes::Scene scene{w.model, w.state, *memory, script.actions[0], 1e-3, 0.0};
+  const Pose& jaws = memory->hand[kRight].command;
+  const Vec3 tail = strandPoint(w.model.strand, w.state.strand, scenes::tailPlace(scene));   // [m]
+  EXPECT_GT((jaws.position - tail).dot(jaws.orientation * Vec3::UnitZ()), 0.3e-3);
+}
+
+/// What the jaws feel when they have closed on thread that lies on a wall is that wall: taken for a taut tail, they stayed pressed into it while
+/// the loop was drawn off them, and in `altemeier` parted the walls that the throw below held.
+TEST_F(Winding, TheTailIsDrawnUpWhateverTheWallPressesOnTheJaws) {
+  runTo(scenes::kThrough);
+  const Vec3 up = memory->knot.up;
+  const double before = memory->hand[kRight].command.position.dot(up);   // [m]
+  for (int k = 0; k < 200; ++k) {
+    w.state.tools[kRight].threadForce = 3.0 * up;                // [N]
+    ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+  }
+  EXPECT_GT(memory->hand[kRight].command.position.dot(up), before + 2e-3);
 }
 
 /// A turn round jaws that hold the needle would catch on it.
