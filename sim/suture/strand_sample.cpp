@@ -86,8 +86,8 @@ SurfacePoint nearTissue(const Model& m, const StrandSample& x, State& state) {
     near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
   }
   if (!state.cut || !x.thread) return near;
-  if (const SurfacePoint met = faceMet(m, tissue, x, s.nearVertex[x.index]); met.triangle >= 0 && near.distance < 0.0) return met;
-  return outAcross(m, x, near, state);   // what a cut leaves of a wall ends in an edge hardly wider than the thread's nodes lie apart
+  const SurfacePoint met = near.distance < 0.0 ? faceMet(m, tissue, x, s.nearVertex[x.index]) : SurfacePoint{};
+  return met.triangle >= 0 ? met : outAcross(m, x, near, state);   // what a cut leaves of a wall ends in an edge hardly wider than the thread's nodes lie apart
 }
 
 SurfacePoint nearBetween(const Model& m, const StrandSample& x, int node, const State& state) {
