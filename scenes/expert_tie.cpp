@@ -3,8 +3,6 @@
 /// the tissue. (Wound about a driver that stands upright, thread only twists like a rubber band, and comes undone.) The driver opens,
 /// takes the short tail, closes and draws it back through the loop; both ends are drawn apart, the long end toward the tail's side. The
 /// next throw is wound from there, the other way round for a square knot, so that the hands change sides with every throw.
-#include <utility>
-
 #include "scenes/stitch_frame.h"
 #include "scenes/tie_phases.h"
 #include "scenes/tie_places.h"
@@ -44,7 +42,8 @@ bool wantsAnother(const Scene& s) {
 /// A loop that hangs is drawn once more, and again while that gains something: a single throw let go opens as far as its thread springs.
 bool wantsDrawing(const Scene& s) {
   KnotPlan& k = s.memory.knot;
-  const double hangs = hangsBy(s), before = std::exchange(k.hung, hangs);   // [m]
+  const double hangs = hangsBy(s), before = k.hung;   // [m]
+  if (hangs > 0.0) k.hung = hangs;             // drawn again for its walls, it may hang the next time
   return wallsCameApart(s) || (hangs > 0.0 && hangs < before - kGain);
 }
 
