@@ -11,12 +11,13 @@ namespace halsted::scenes {
 namespace {
 
 constexpr double kTaut = 0.5;                  // [N] at which a tail on its way up is drawn no farther
-constexpr double kTailShare = 0.85;            // [1] of its length: how far from the tissue the tail is drawn up through the loop
+constexpr double kTailShare = 0.85, kTaken = 1.1;   // [1] of its length: how far from the tissue the tail is drawn up through the loop; over throws that hold, until it is taut
 constexpr double kGentle = 0.15;               // [N]
-constexpr double kAside = 10e-3, kLow = 6e-3;  // [m] from the stitch as the ends begin to be drawn; above it
+constexpr double kAside = 10e-3, kLow = 6e-3, kLower = 3e-3;  // [m] from the stitch as the ends begin to be drawn; above it; over throws that lie, which must not be lifted
 constexpr double kOff = 0.1;                   // [N] felt when there is nothing more to come
 constexpr double kClings = 3.0;                // [s] after which it is wound again: it has come to lie between the jaws
 constexpr double kOver = 18e-3, kBeyond = 12e-3;   // [m] of the other hand above the stitch and past the tips meanwhile
+constexpr double kOffRise = 1.0;               // [1] of its way off them: steeper, it would draw the loop on the slanting jaws rather than along them
 constexpr double kDraw = 0.03, kDrawTaut = 5e-3;   // [m/s] of slack thread; of thread that it feels
 constexpr double kHoldTail = 0.15;             // [1] of that for the tail: it is to stay short
 constexpr double kReach = 0.09;                // [m] as far as an arm draws
@@ -40,6 +41,29 @@ bool loosensThrow(const Scene& s) { return s.memory.knot.current > 0 && locks(s.
 /// With what a loop that clings is drawn off.  [N]
 double firm(const Scene& s) { return loosensThrow(s) ? kGentle : kFirm; }
 
+/// Looks where the tail, that the driver has, leaves the throws that lie.
+void seeTail(const Scene& s) {
+  const std::optional<KnotPlace> place = s.memory.knot.current > 0 ? placeOfKnot(s.model, s.state) : std::nullopt;
+  s.memory.knot.tailOut = place ? place->tailOut : tailHole(s).coordinate;
+}
+
+/// From where the tail leaves the throws that lie, as far as it goes without being drawn straight: farther, throws that nothing locks would slide up along it.
+struct TailReach { Vec3 from; double length; };   // [m]
+TailReach tailReach(const Scene& s) {
+  const KnotPlan& k = s.memory.knot;
+  const double share = k.current > 0 && !k.loose ? kTaken : kTailShare;   // [1]
+  return {strandPoint(s.model.strand, s.state.strand, k.tailOut), share * std::fmax(0.0, k.tailOut - s.state.tools[kRight].threadCoordinate)};
+}
+
+/// A place for the tail, or as near to it as the tail reaches: no lower, where it is to be kept off the wall.  [m]
+Vec3 withinReach(const Scene& s, const Vec3& place) {
+  if (s.memory.knot.current == 0) return place;
+  const TailReach tail = tailReach(s);
+  const Vec3 way = place - tail.from, up = way.dot(s.memory.knot.up) * s.memory.knot.up, level = way - up;   // [m]
+  const double most = std::sqrt(std::fmax(0.0, tail.length * tail.length - up.squaredNorm())), far = level.norm();   // [m]
+  return far > most ? Vec3(tail.from + up + most / far * level) : place;
+}
+
 /// The other hand draws the loop off the driver's tips, on to the tail: until it is off and there is nothing more to come.
 void drawOffTips(const Scene& s) {
   KnotPlan& k = s.memory.knot;
@@ -48,7 +72,7 @@ void drawOffTips(const Scene& s) {
   k.settled = k.felt[kLeft] > kOff ? k.settled + s.dt : 0.0;
   if (pull < firm(s)) {
     k.drawn[kLeft] += kCareful * s.dt;
-    const Vec3 from = stitch(s) + kOver * k.up - kBeyond * k.handle, offTips = (k.up - k.handle).normalized();   // [m], [1]
+    const Vec3 from = stitch(s) + kOver * k.up - kBeyond * k.handle, offTips = (kOffRise * k.up - k.handle).normalized();   // [m], [1]
     moveHand(s, kLeft, keepTurn(s, kLeft, from + k.drawn[kLeft] * offTips), 2.0 * kCareful);
   }
   const bool on = loopOnJaws(s);
@@ -64,22 +88,20 @@ void drawThrough(const Scene& s) {
   KnotPlan& k = e.knot;
   const Vec3 p = stitch(s);
   if (e.phase == kThrough) {
-    const ToolState& driver = s.state.tools[kRight];
     if (s.inPhase < 1.5 * s.dt) {
-      const std::optional<KnotPlace> place = k.current > 0 ? placeOfKnot(s.model, s.state) : std::nullopt;
-      const double knot = place ? place->tailOut : tailHole(s).coordinate;   // [m] where the tail leaves the throws that lie
-      const double reach = kTailShare * (knot - driver.threadCoordinate);   // [m] farther, the tail would be drawn straight, and the throw slide up along it
-      e.goal[kRight] = keepTurn(s, kRight, strandPoint(s.model.strand, s.state.strand, knot) + reach * (k.handle + k.up).normalized());
+      seeTail(s);
+      const TailReach tail = tailReach(s);
+      e.goal[kRight] = keepTurn(s, kRight, tail.from + tail.length * (k.handle + k.up).normalized());
     }
-    const double half = 0.5 * (driver.threadCoordinate + tailHole(s).coordinate);   // [m]
+    const double half = 0.5 * (s.state.tools[kRight].threadCoordinate + tailHole(s).coordinate);   // [m]
     feel(k.felt[kRight], strandTension(s.model.strand, s.state.strand, half, 1), s.dt, kFeelTime);   // the jaws feel the wall, too, on which the tail lay
     const bool taut = k.felt[kRight] > kTaut || s.state.tools[kLeft].threadForce.norm() > firm(s);
     const bool drawn = taut || moveHand(s, kRight, e.goal[kRight], kCareful);
     if (!drawn) { moveHand(s, kLeft, keepTurn(s, kLeft, p + kOver * k.up - kBeyond * k.handle), kCareful); return; }
     drawOffTips(s);
   } else {
-    const double low = s.state.cut ? std::fmax(kLow, k.floor) : kLow;   // [m] drawn along the wall, as ends that are drawn up lift the throw; but over cut edges
-    const bool right = moveHand(s, kRight, keepTurn(s, kRight, p + kAside * k.side + low * k.up), kCareful);
+    const double low = s.state.cut ? std::fmax(kLow, k.floor) : k.current > 0 ? kLower : kLow;   // [m] drawn along the wall, as ends that are drawn up lift the throw; but over cut edges
+    const bool right = moveHand(s, kRight, keepTurn(s, kRight, withinReach(s, p + kAside * k.side + low * k.up)), kCareful);
     const bool left = moveHand(s, kLeft, keepTurn(s, kLeft, p - 2.0 * kAside * k.side + low * k.up), kMove);
     if (!right || !left) return;
     for (int h = 0; h < kHands; ++h) e.goal[h] = e.hand[h].command;
@@ -130,7 +152,9 @@ bool wallsCameApart(const Scene& s) {
 }
 
 void drawAgain(const Scene& s) {
-  if (pickUp(s, kRight, tailGrip(s), kAgain)) goTo(s, holdsTail(s) ? kCross : kLetTail);
+  if (!pickUp(s, kRight, tailGrip(s), kAgain)) return;
+  seeTail(s);
+  goTo(s, holdsTail(s) ? kCross : kLetTail);
 }
 
 /// The tail is laid toward the surgeon, away from the thread between the knot and the holes, or the jaws would take that for it. The other

@@ -111,7 +111,7 @@ double clearPlace(const Scene& s, double like) {   // [m]
 
 double tailPlace(const Scene& s) {             // [m]
   const double tail = tailHole(s).coordinate;  // [m]
-  const double place = tail > kLongTail ? kBeyondGrip * tail : kFromEnd;   // [m] nearer to the stitch on a long tail
+  const double place = tail > kLongTail && s.memory.knot.current == 0 ? kBeyondGrip * tail : kFromEnd;   // [m] nearer to the stitch on a long tail, until throws have taken up most of it
   if (s.memory.knot.beside > 1) return clearPlace(s, place);
   const double aside = s.memory.knot.beside == 0 ? 0.0 : place > kElsewhere + kFromEnd ? -kElsewhere : kElsewhere;   // [m]
   return std::fmin(place + aside, 0.5 * tail);

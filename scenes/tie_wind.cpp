@@ -83,6 +83,7 @@ void wind(const Scene& s) {
     if (s.inPhase < 1.5 * s.dt) {
       k.hole = longHole(s).coordinate;
       k.swept = k.given = k.lower = k.detour = 0.0;
+      k.loose = k.current > 0 && locks(s.state.knot) == 0;
       k.felt = {};
     }
     giveWay(s, kTight);
