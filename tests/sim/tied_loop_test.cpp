@@ -50,6 +50,23 @@ TEST(KnotPlace, PassesOverAStrandThatOnlyLiesAcrossTheLoop) {
   EXPECT_EQ(place.tip, before.tip);
 }
 
+/// Under a third throw that is drawn tight the first throw's turn pushes with a fiftieth: passed over, it was taken for thread that hangs (`lembert`: 3.4 mm,
+/// where 0.4 were read before that throw was drawn).
+TEST(KnotPlace, BeginsWithATurnThatLiesAgainstItHoweverLightly) {
+  Pressed w;
+  for (double in : {8e-3, 9e-3, 10e-3}) w.press(in, in, 0.1);
+  w.press(5e-3, 5e-3, 0.006);
+  const KnotPlace apart = placeOfKnot(w.model, w.state).value();
+  const double node = w.model.strand.segment;  // [m]
+  EXPECT_NEAR(w.first() - apart.tail, 8e-3, node) << "it lies 3 mm off";
+  const auto at = [&](double coordinate) -> Vec3& { return w.state.strand.position[w.pieceAt(coordinate) + 1]; };   // [m]
+  at(w.first() - 5e-3) = at(w.first() - 9e-3) + Vec3(0.5e-3, 0.0, 0.0);
+  const KnotPlace place = placeOfKnot(w.model, w.state).value();
+  EXPECT_NEAR(w.first() - place.tail, 5e-3, node);
+  EXPECT_EQ(place.tip, apart.tip);
+  EXPECT_EQ(place.tailOut, apart.tailOut);
+}
+
 /// The loop through the wall of two laced ends that hands have drawn with 3 N.
 struct Drawn : LacedWall {
   Drawn(std::span<const int> halfTwists) : LacedWall(halfTwists) { drawTight(3.0, 1.0); }
