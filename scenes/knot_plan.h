@@ -31,7 +31,7 @@ struct KnotPlan {
   double beyond = 0.0;                         // [m] of thread in the loop beyond the way from hole to hole, as its last throw was drawn
   double hung = 1.0;                           // [m] of that as this throw's loop was last seen to hang: farther than any can
   double tailOut = 0.0;                        // [m] coordinate at which the tail left the throws that lay as it was taken; with none, its hole
-  bool loose = false;                          // as this one was begun, nothing locked the throw below it
+  bool loose = false;                          // as this one was begun, nothing locked the throw below it: later its own loop, still wide, may be read as a lock
   int redrawn = 0;                             // how often a throw has been drawn again, as its loop hung
   int misses = 0;                              // of the tail, or of a loop that clings or slides off, in this throw
   int beside = 0;                              // how often of these the jaws closed beside the tail, or the loop did not reach so far: it is taken a little further along

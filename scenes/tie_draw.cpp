@@ -17,7 +17,6 @@ constexpr double kAside = 10e-3, kLow = 6e-3, kLower = 3e-3;  // [m] from the st
 constexpr double kOff = 0.1;                   // [N] felt when there is nothing more to come
 constexpr double kClings = 3.0;                // [s] after which it is wound again: it has come to lie between the jaws
 constexpr double kOver = 18e-3, kBeyond = 12e-3;   // [m] of the other hand above the stitch and past the tips meanwhile
-constexpr double kOffRise = 1.0;               // [1] of its way off them: steeper, it would draw the loop on the slanting jaws rather than along them
 constexpr double kDraw = 0.03, kDrawTaut = 5e-3;   // [m/s] of slack thread; of thread that it feels
 constexpr double kHoldTail = 0.15;             // [1] of that for the tail: it is to stay short
 constexpr double kReach = 0.09;                // [m] as far as an arm draws
@@ -56,7 +55,7 @@ TailReach tailReach(const Scene& s) {
 }
 
 /// A place for the tail, or as near to it as the tail reaches: no lower, where it is to be kept off the wall.  [m]
-Vec3 withinReach(const Scene& s, const Vec3& place) {
+Vec3 withinTail(const Scene& s, const Vec3& place) {
   if (s.memory.knot.current == 0) return place;
   const TailReach tail = tailReach(s);
   const Vec3 way = place - tail.from, up = way.dot(s.memory.knot.up) * s.memory.knot.up, level = way - up;   // [m]
@@ -72,7 +71,7 @@ void drawOffTips(const Scene& s) {
   k.settled = k.felt[kLeft] > kOff ? k.settled + s.dt : 0.0;
   if (pull < firm(s)) {
     k.drawn[kLeft] += kCareful * s.dt;
-    const Vec3 from = stitch(s) + kOver * k.up - kBeyond * k.handle, offTips = (kOffRise * k.up - k.handle).normalized();   // [m], [1]
+    const Vec3 from = stitch(s) + kOver * k.up - kBeyond * k.handle, offTips = (k.up - k.handle).normalized();   // [m], [1]
     moveHand(s, kLeft, keepTurn(s, kLeft, from + k.drawn[kLeft] * offTips), 2.0 * kCareful);
   }
   const bool on = loopOnJaws(s);
@@ -101,7 +100,7 @@ void drawThrough(const Scene& s) {
     drawOffTips(s);
   } else {
     const double low = s.state.cut ? std::fmax(kLow, k.floor) : k.current > 0 ? kLower : kLow;   // [m] drawn along the wall, as ends that are drawn up lift the throw; but over cut edges
-    const bool right = moveHand(s, kRight, keepTurn(s, kRight, withinReach(s, p + kAside * k.side + low * k.up)), kCareful);
+    const bool right = moveHand(s, kRight, keepTurn(s, kRight, withinTail(s, p + kAside * k.side + low * k.up)), kCareful);
     const bool left = moveHand(s, kLeft, keepTurn(s, kLeft, p - 2.0 * kAside * k.side + low * k.up), kMove);
     if (!right || !left) return;
     for (int h = 0; h < kHands; ++h) e.goal[h] = e.hand[h].command;

@@ -10,22 +10,16 @@
 #include "sim/portable_math.h"
 #include "sim/strand/strand.h"
 #include "tests/scenes/sewn_ends.h"
-#include "tests/scenes/tied_wall.h"
+#include "tests/scenes/tying.h"
 
 namespace halsted {
 namespace {
 
 /// The wall, the long end in the left hand, and a surgeon about to wind it.
-class Winding : public ::testing::Test {
+class Winding : public Tying {
  protected:
-  TiedWall w;
-  scenes::ExpertScript script = scenes::parseExpert("scene = \"wall\"\n[[action]]\ndo = \"tie\"\ntie = \"1\"\nlimit_s = 60\n", "test");
-  scenes::ExpertStatePtr memory = scenes::beginExpert(script, w.model);
+  Winding() : Tying("1") {}
 
-  void runTo(int phase) {
-    for (int k = 0; k < 30000 && memory->phase != phase; ++k) ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
-    ASSERT_EQ(memory->phase, phase);
-  }
   /// A step in which the surgeon sees the driver hold this place of the thread, whatever it holds.
   bool seeHeld(double place) {                 // [m]
     std::array<HandTarget, kHands> target;
@@ -72,7 +66,7 @@ TEST_F(Winding, AFloorKeepsTheHandAboveTheEdges) {
 
 /// Where nothing is cut, too: it would press on the wall and catch on the stitch.
 TEST_F(Winding, TheHandStaysAboveTheTissueAsItGoesUnderTheDriver) {
-  script = scenes::parseExpert("scene = \"wall\"\n[[action]]\ndo = \"tie\"\ntie = \"2\"\nlong_end_mm = 40\nlimit_s = 60\n", "test");   // a low driver
+  script = tie("tie = \"2\"\nlong_end_mm = 40");   // a low driver
   memory = scenes::beginExpert(script, w.model);
   runTo(scenes::kWind);
   const Vec3 up = memory->knot.up;
@@ -208,7 +202,7 @@ TEST_F(Winding, JawsThatHaveClosedOnTheNeedleOpenBeforeATurnIsWound) {
 
 /// In `lembert` six of ten loops were locked as they hung: nobody looked at the first throw again.
 TEST_F(Winding, AThrowThatHangsIsDrawnOnceMoreBeforeTheNextIsWound) {
-  script = scenes::parseExpert("scene = \"wall\"\n[[action]]\ndo = \"tie\"\ntie = \"1=1\"\nlimit_s = 60\n", "test");
+  script = tie("tie = \"1=1\"");
   memory = scenes::beginExpert(script, w.model);
   runTo(scenes::kLetTail);
   const Vec3 side = memory->knot.side;         // [1]
