@@ -51,6 +51,8 @@ void beginSuture(const Model& m, State& s) {
   if (m.params.assistant.clamps > 0) { s.clamps.emplace(); s.clamps->left = m.params.assistant.clamps; }
   s.work.tissue = prepareWork(m.tissue);
   s.work.strand = prepareWork(m.strand);
+  s.work.strandBefore = s.strand;
+  s.work.threadBefore = s.threadContacts;
   s.work.force.assign(m.mesh.vertices.size(), Vec3::Zero());
   s.work.change.assign(m.mesh.vertices.size(), Vec3::Zero());
   for (auto* list : {&s.work.self.cell, &s.work.self.item, &s.work.self.inside}) list->resize(m.surface.vertices.size());

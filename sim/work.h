@@ -126,7 +126,10 @@ struct StepWork {
   HoleWork holes;
   ExchangeWork exchange;
   std::array<StrandContact, StrandState::kMaxContacts> freshContacts;   // found in this step
+  std::array<int, StrandState::kMaxContacts> freshLink{};   // of each, in `strand`
   int freshCount = 0;
+  StrandState strandBefore;                    // as the step's solve began: it may have to be done again
+  ThreadContactState threadBefore;
   std::vector<Vec3> force;                     // [N] per particle: what the tissue carried from the last step
   std::vector<Vec3> change;                    // [N] per particle: what contacts changed in this one
   SelfWork self;

@@ -46,6 +46,90 @@ void addCutFaces(const TetMesh& mesh, SurfaceModel& s) {
   }
 }
 
+/// The nearest point found so far, and the faces that meet there.
+struct Nearest {
+  int triangle = -1;
+  std::array<double, 3> weight{};              // [1]
+  double squared = 1e300;                      // [m^2]
+  Vec3 on = Vec3::Zero(), away = Vec3::Zero(), normals = Vec3::Zero();   // [m] the point, and from it; [1] sum of outward normals
+
+  bool inside() const { return away.dot(normals) < 0.0; }
+  SurfacePoint point() const {
+    SurfacePoint q;
+    if (triangle < 0) return q;                // round a vertex that nothing has laid bare
+    const double distance = std::sqrt(squared), sign = inside() ? -1.0 : 1.0;
+    q.triangle = triangle;
+    q.weight = weight;
+    q.point = on;
+    q.distance = sign * distance;
+    q.normal = distance > 1e-6 ? Vec3(sign / distance * away) : Vec3(normals.normalized());
+    return q;
+  }
+};
+
+void offer(const SurfaceModel& s, const SurfaceNow& now, const Vec3& p, int f, Nearest& best) {
+  constexpr double kSame = 1e-14;              // [m^2]
+  const Vec3 &a = now.position[s.triangles[f][0]], &b = now.position[s.triangles[f][1]], &c = now.position[s.triangles[f][2]];
+  const auto w = closestOnTriangle(p, a, b, c);
+  const Vec3 on = mix(w, a, b, c), away = p - on;
+  const double squared = away.squaredNorm();
+  if (squared > best.squared + kSame) return;
+  const Vec3 normal = (b - a).cross(c - a).normalized();
+  if (squared >= best.squared - kSame) {
+    best.normals += normal;
+    return;
+  }
+  best = {f, w, squared, on, away, normal};
+}
+
+Nearest roundVertex(const SurfaceModel& s, const SurfaceNow& now, const Vec3& p, int vertex) {
+  Nearest best;
+  for (int e = s.triangleStart[vertex]; e < s.triangleStart[vertex + 1]; ++e)
+    if (exposed(s, now.gone, s.triangleOf[e])) offer(s, now, p, s.triangleOf[e], best);
+  return best;
+}
+
+int heaviest(const std::array<double, 3>& w) { return w[0] >= w[1] && w[0] >= w[2] ? 0 : w[1] >= w[2] ? 1 : 2; }
+
+/// From the triangles round a vertex to those round the corner nearest to the point found, until it is the vertex itself.
+Nearest descend(const SurfaceModel& s, const SurfaceNow& now, const Vec3& p, int& vertex) {
+  constexpr int kMostLooks = 16;               // where two corners are as near as each other it would not end
+  Nearest best = roundVertex(s, now, p, vertex);
+  for (int look = 0; look < kMostLooks && best.triangle >= 0; ++look) {
+    const int corner = s.triangles[best.triangle][heaviest(best.weight)];
+    if (corner == vertex) break;
+    vertex = corner;
+    best = roundVertex(s, now, p, vertex);     // the same triangle is among them: no farther
+  }
+  return best;
+}
+
+/// Downhill along the surface's edges to a vertex of which no neighbour is nearer.  [m] -> [m^2]
+double walkToVertex(const SurfaceModel& s, const SurfaceNow& now, const Vec3& p, int& vertex) {
+  const std::span<const Vec3> x = now.position;
+  double least = canBeNear(s, now, vertex) ? (x[vertex] - p).squaredNorm() : 1e300;   // [m^2]
+  for (bool moved = true; moved;) {
+    moved = false;
+    const int from = vertex;
+    for (int e = s.neighbourStart[from]; e < s.neighbourStart[from + 1]; ++e) {
+      const double d2 = (x[s.neighbour[e]] - p).squaredNorm();
+      if (d2 < least && canBeNear(s, now, s.neighbour[e])) { least = d2; vertex = s.neighbour[e]; moved = true; }
+    }
+  }
+  return least;
+}
+
+/// Is all of a triangle's box farther away?
+bool fartherThan(double squared, const std::array<int, 3>& v, std::span<const Vec3> x, const Vec3& p) {   // [m^2], [m]
+  double out = 0.0;                            // [m^2]
+  for (int axis = 0; axis < 3; ++axis) {
+    const double a = x[v[0]][axis], b = x[v[1]][axis], c = x[v[2]][axis];
+    const double miss = std::max({0.0, std::min({a, b, c}) - p[axis], p[axis] - std::max({a, b, c})});
+    out += miss * miss;
+  }
+  return out > squared;
+}
+
 }  // namespace
 
 bool exposedVertex(const SurfaceModel& s, std::span<const std::uint8_t> gone, int vertex) {
@@ -92,45 +176,33 @@ int nearestVertex(const SurfaceModel& s, const SurfaceNow& now, const Vec3& p) {
 }
 
 SurfacePoint nearestSurface(const SurfaceModel& s, const SurfaceNow& now, const Vec3& p, double reach, int& vertex) {
-  const std::span<const Vec3> x = now.position;
-  double least = canBeNear(s, now, vertex) ? (x[vertex] - p).squaredNorm() : 1e300;   // [m^2]
-  for (bool moved = true; moved;) {
-    moved = false;
-    const int from = vertex;
-    for (int e = s.neighbourStart[from]; e < s.neighbourStart[from + 1]; ++e) {
-      const double d2 = (x[s.neighbour[e]] - p).squaredNorm();
-      if (d2 < least && canBeNear(s, now, s.neighbour[e])) { least = d2; vertex = s.neighbour[e]; moved = true; }
-    }
+  const int known = vertex;
+  if (walkToVertex(s, now, p, vertex) > reach * reach) return {};
+  const bool strayed = vertex != known;
+  Nearest best = descend(s, now, p, vertex);
+  if (!strayed || !best.inside()) return best.point();
+  int kept = known;                            // in thin walls a vertex of the far side may be nearer than any of the face that is
+  const Nearest back = descend(s, now, p, kept);
+  if (back.squared >= best.squared) return best.point();
+  vertex = kept;
+  return back.point();
+}
+
+SurfacePoint nearestTriangle(const SurfaceModel& s, const SurfaceNow& now, const Vec3& p, int& vertex) {
+  Nearest best = roundVertex(s, now, p, vertex);
+  int nearest = best.triangle;
+  for (int f = 0; f < static_cast<int>(s.triangles.size()); ++f) {
+    if (fartherThan(best.squared, s.triangles[f], now.position, p) || !exposed(s, now.gone, f)) continue;
+    Nearest one;
+    offer(s, now, p, f, one);
+    if (one.squared >= best.squared) continue;
+    best.squared = one.squared;
+    best.weight = one.weight;
+    nearest = f;
   }
-  SurfacePoint best;
-  if (least > reach * reach) return best;
-  double nearest = 1e300;                      // [m^2]
-  Vec3 normalSum = Vec3::Zero();
-  for (int e = s.triangleStart[vertex]; e < s.triangleStart[vertex + 1]; ++e) {
-    const int f = s.triangleOf[e];
-    if (!exposed(s, now.gone, f)) continue;
-    const Vec3 &a = x[s.triangles[f][0]], &b = x[s.triangles[f][1]], &c = x[s.triangles[f][2]];
-    const auto w = closestOnTriangle(p, a, b, c);
-    const Vec3 q = mix(w, a, b, c);
-    const double d2 = (p - q).squaredNorm();
-    const Vec3 normal = (b - a).cross(c - a).normalized();
-    if (d2 < nearest - 1e-14) {
-      nearest = d2;
-      normalSum = normal;
-      best.triangle = f;
-      best.weight = w;
-      best.point = q;
-    } else if (d2 <= nearest + 1e-14) {
-      normalSum += normal;
-    }
-  }
-  if (best.triangle < 0) return best;          // round a vertex that nothing has laid bare
-  const Vec3 away = p - best.point;
-  const double distance = std::sqrt(nearest);
-  const double side = away.dot(normalSum);
-  best.distance = side < 0.0 ? -distance : distance;
-  best.normal = distance > 1e-6 ? Vec3((side < 0.0 ? -1.0 : 1.0) / distance * away) : Vec3(normalSum.normalized());
-  return best;
+  if (nearest < 0) return {};
+  vertex = s.triangles[nearest][heaviest(best.weight)];
+  return descend(s, now, p, vertex).point();   // with every triangle that meets there
 }
 
 }  // namespace halsted

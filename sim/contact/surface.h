@@ -51,9 +51,13 @@ struct SurfaceNow {
 /// Is the vertex bare? Where nothing can be cut every one is, and none is asked.
 inline bool canBeNear(const SurfaceModel& s, const SurfaceNow& now, int vertex) { return now.gone.empty() || exposedVertex(s, now.gone, vertex); }
 
-/// Walks from `vertex` downhill to the nearest surface vertex (updated), then looks at the triangles round it.
-/// Farther than `reach` [m] from that vertex nothing is examined and `triangle` stays -1.
+/// Walks from `vertex` downhill to the nearest surface vertex, and from there over the triangles to the point nearest to p. What it finds inside the
+/// material it looks for from `vertex`, too: the far side of a thin wall may have the nearer vertex, but not the nearer face. Leaves in `vertex` the corner
+/// nearest to that point. Farther than `reach` [m] from the nearest vertex nothing is examined and `triangle` stays -1.
 SurfacePoint nearestSurface(const SurfaceModel&, const SurfaceNow&, const Vec3& p, double reach, int& vertex);
+
+/// The nearest point of all the surface, whatever side it is on: exhaustive. `vertex`: any to begin with, then the corner nearest to that point.
+SurfacePoint nearestTriangle(const SurfaceModel&, const SurfaceNow&, const Vec3& p, int& vertex);
 
 /// Exhaustive search for the nearest surface vertex: to start or repair a walk.
 int nearestVertex(const SurfaceModel&, const SurfaceNow&, const Vec3& p);

@@ -1,5 +1,8 @@
 #include "sim/suture/knotting.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "sim/suture/holes.h"
 #include "sim/tools/tool_shape.h"
 
@@ -121,10 +124,20 @@ void breakThread(State& s, int segment, StepOutput& out) {
   s.strand.tension[segment] = 0.0;
 }
 
+/// More of them where a tool jumps, as one that springs back from what held it: thread must not find itself deep in a tool.
+int substepsFor(const Model& m, const SolidMotion& solids) {
+  constexpr double kMostWay = 0.5e-3;          // [m] of a tool in a substep: a few times as wide as thread
+  constexpr int kMost = 4;                     // [1] times as many
+  double way = 0.0;                            // [m]
+  for (int k = 0; k < kSolids; ++k) way = std::max({way, (solids.now[k].a - solids.before[k].a).norm(), (solids.now[k].b - solids.before[k].b).norm()});
+  const int count = m.params.thread.substeps;
+  return count * std::clamp(static_cast<int>(std::ceil(way / (count * kMostWay))), 1, kMost);
+}
+
 }  // namespace
 
 bool solveKnottedStrand(const Model& m, const KnottingMotion& motion, State& s, StepOutput& out) {
-  const int count = m.params.thread.substeps;
+  const int count = substepsFor(m, motion.solids);
   Substeps substeps(m, motion, s);
   ThreadTouch touch{s.threadContacts, s.work.threadContacts};
   touch.work.solids = s.work.threadSolids;

@@ -1,5 +1,6 @@
 #include "sim/suture/strand_contacts.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/contact/geometry.h"
@@ -14,10 +15,8 @@ namespace {
 constexpr double kTissueShare = 3.0;           // [1] over-estimates the compliance for neighbours that press on the same tissue
 constexpr double kNodeSpacing = 2e-3;          // [m] of the thread's nodes for which that holds
 constexpr double kSolidStiffness = 800.0;      // [N/m] strand against steel, per step and incremental: the fixed point is rigid
-constexpr double kMostForce = 2.0;             // [N] on one sample: a thread pinched harder sinks into the tissue instead
 constexpr double kStickSlide = 2e-7;           // [m] per step: below it friction holds (0.2 mm/s of creep)
 constexpr double kCoarse = 1.5e-3;             // [m] nodes that lie closer cannot pass a wall on both sides
-constexpr double kTipFriction = 2.0;           // [1] a sharp tip catches: the dimple under it turns to face it (design)
 
 double triangleCompliance(const Model& m, int triangle, const std::array<double, 3>& w) {
   const auto& v = m.surface.triangles[triangle];
@@ -53,11 +52,6 @@ const StrandContact* previousContact(const StrandState& s, int sample, int featu
   return nullptr;
 }
 
-double frictionCoefficient(const Model& m, const StrandContact& c) {
-  if (c.feature >= static_cast<int>(m.surface.triangles.size())) return m.params.contact.threadToolFriction;
-  return c.sample + 1 == sampleCount(m.strand) ? kTipFriction : m.params.contact.threadTissueFriction;
-}
-
 /// Friction of one contact as a linear spring against the slide of this step, from a force carried over.
 struct Friction {
   double stiffness = 0.0;                      // [N/m]
@@ -75,7 +69,7 @@ Friction frictionOf(const Model& m, const StrandSample& x, const Touch& touch, d
   }
   const Vec3 slide = x.predicted - x.position - touch.moved;
   const double tangential = (slide - slide.dot(touch.normal) * touch.normal).norm();   // [m]
-  return {frictionCoefficient(m, touch.record) * held / std::fmax(tangential, kStickSlide), Vec3::Zero()};
+  return {contactFriction(m, touch.record) * held / std::fmax(tangential, kStickSlide), Vec3::Zero()};
 }
 
 /// Thread weighs next to nothing: the push that takes it out of a solid would by its inertia carry it on, and drawn thread left and came back
@@ -99,6 +93,7 @@ void offerTouch(const Model& m, const StrandSample& x, Touch& touch, State& stat
   link.force0 = touch.record.normalForce * touch.normal + grip.carried;
   if (!addLink(w, link)) return;
   touch.record.force = touch.normal;           // until the solve: the direction
+  state.work.freshLink[fresh] = w.linkCount - 1;
   state.work.freshContacts[fresh++] = touch.record;
 }
 
@@ -122,12 +117,13 @@ Vec3 acrossThread(const Model& m, const StrandState& s, const StrandSample& x, c
   return endOn(along, normal) ? normal : Vec3((normal - normal.dot(along) * along).normalized());
 }
 
-/// Thread that meets the wall end on but does not end there has sunk through an edge: a push along it would hook it there. It leaves over the
-/// edge, across itself; false where there is no such way.
+/// Thread that lies in the wall end on but does not end there has sunk through an edge: a push along it would hook it there. It leaves over the
+/// edge, across itself; false where there is no such way. A bend that only now meets the wall with its tip is stopped like anything else.
 bool leavesAcross(const Model& m, const StrandSample& x, const State& s, SurfacePoint& near) {
   if (!m.params.thread.knots || !x.thread || s.cut || isEnd(m, s, x.index)) return true;
   const Vec3 along = strandTangent(m.strand, s.strand, x.coordinate);
-  if (!endOn(along, near.normal)) return true;
+  const bool outside = near.normal.dot(x.position - near.point) >= 0.0;   // as the step begins
+  if (outside || !endOn(along, near.normal)) return true;
   near = outAcross(m, x, near, s);
   return !endOn(along, near.normal);
 }
@@ -215,18 +211,17 @@ bool heldBy(const Model& m, const StrandState&, const ToolState& tool, const Str
   return tool.threadCoordinate >= 0.0 && std::fabs(x.coordinate - tool.threadCoordinate) < reach;
 }
 
-void addTissueForce(const Model& m, const StrandContact& c, const Vec3& onStrand, std::vector<Vec3>& nodal) {
-  if (c.feature >= static_cast<int>(m.surface.triangles.size())) return;
-  const auto& v = m.surface.triangles[c.feature];
-  for (int k = 0; k < 3; ++k) nodal[v[k]] -= c.weight[k] * onStrand;
+bool touchesTissue(const Model& m, const State& s, int node) {
+  const int triangles = static_cast<int>(m.surface.triangles.size());
+  const auto isIts = [&](const StrandContact& c) { return c.sample == node && c.feature < triangles; };
+  const auto& fresh = s.work.freshContacts;
+  return std::any_of(fresh.begin(), fresh.begin() + s.work.freshCount, isIts);
 }
 
-/// The tip presses hard enough along its own axis, pointing into the tissue: it goes through.
-bool punctures(const Model& m, const StrandState& s, const StrandContact& c, const Vec3& normal) {
-  constexpr double kSkimming = 0.25;           // [1] cosine: flatter than 75 degrees from the normal it only scratches
-  if (c.sample + 1 != sampleCount(m.strand)) return false;
-  const Vec3 axis = strandTangent(m.strand, s, tipCoordinate(m.strand));
-  return -c.force.dot(axis) >= m.params.needle.punctureForce && -axis.dot(normal) > kSkimming;
+/// Did it go far, or elsewhere than where its contacts were looked for?
+bool hasStrayed(const StrandSample& x, const Vec3& end) {   // [m]
+  constexpr double kAside = 0.3e-3, kFar = 1e-3;             // [m]
+  return (end - x.predicted).squaredNorm() > kAside * kAside || (end - x.position).squaredNorm() > kFar * kFar;
 }
 
 }  // namespace
@@ -252,38 +247,24 @@ void linkContacts(const Model& m, const SolidMotion& motion, State& state) {
   state.work.freshCount = fresh;
 }
 
-void settleContacts(const Model& m, int firstLink, State& state, StepOutput& out) {
-  StrandState& s = state.strand;
-  const int triangles = static_cast<int>(m.surface.triangles.size());
-  for (int i = 0; i < s.contactCount; ++i) addTissueForce(m, s.contacts[i], -s.contacts[i].force, state.work.change);
-  for (ToolState& tool : state.tools) tool.strandForce.setZero();
-  int kept = 0, punctured = -1;
-  for (int i = 0; i < state.work.freshCount; ++i) {
-    StrandContact c = state.work.freshContacts[i];
-    const Vec3 normal = c.force, solved = state.work.strand.links[firstLink + i].force;
-    c.normalForce = solved.dot(normal);
-    if (c.normalForce <= 0.0) continue;
-    const double share = c.normalForce > kMostForce ? kMostForce / c.normalForce : 1.0;
-    const Vec3 tangent = solved - c.normalForce * normal;
-    const double limit = frictionCoefficient(m, c) * c.normalForce, size = tangent.norm();
-    c.force = share * (c.normalForce * normal + (size > limit ? limit / size : 1.0) * tangent);
-    c.normalForce *= share;
-    if (c.feature < triangles && punctures(m, s, c, normal)) { punctured = i; continue; }
-    addTissueForce(m, c, c.force, state.work.change);
-    const int hand = c.feature < triangles ? -1 : solidHand(c.feature - triangles);
-    if (hand >= 0) state.tools[hand].strandForce -= c.force;
-    s.contacts[kept++] = c;
+bool linkMetTissue(const Model& m, State& state) {
+  constexpr double kIn = 0.2e-3;               // [m] less is taken back in the next step
+  const int before = state.work.freshCount;
+  for (int i = 0; i < m.strand.nodes; ++i) {
+    StrandSample x = sampleAt(m, state.work.strandBefore, i);
+    if (!hasStrayed(x, state.strand.position[i]) || touchesTissue(m, state, i)) continue;
+    x.predicted = state.strand.position[i];
+    const SurfacePoint met = faceOnWay(m, x, state);
+    if (met.triangle < 0 || met.distance > -kIn) continue;
+    Touch t;
+    t.point = met.point;
+    t.normal = met.normal;
+    t.moved = met.point - pointOn(m.surface, state.work.tissue.previous, met.triangle, met.weight);
+    t.stiffness = 1.0 / (giveOfTissue(m, x, met, state) + 1e-5);
+    t.record = {i, met.triangle, 0.0, Vec3(Vec3::Zero()), met.weight};
+    offerTouch(m, x, t, state, state.work.freshCount);
   }
-  for (int i = kept; i < s.contactCount; ++i) s.contacts[i] = StrandContact{};
-  s.contactCount = kept;
-  if (punctured >= 0) {
-    const StrandContact& c = state.work.freshContacts[punctured];
-    openEntry(m, c.feature, c.weight, c.force, state, out);   // `force` still holds the normal
-  }
-}
-
-void gatherContactForces(const Model& m, const StrandState& s, std::vector<Vec3>& nodal) {
-  for (int i = 0; i < s.contactCount; ++i) addTissueForce(m, s.contacts[i], s.contacts[i].force, nodal);
+  return state.work.freshCount > before;
 }
 
 }  // namespace halsted

@@ -15,8 +15,14 @@ struct SolidMotion {
 /// Finds contacts at the predicted positions and adds a link for each, after the links already there.
 void linkContacts(const Model&, const SolidMotion&, State&);
 
+/// After the solve: adds a link for each node that it has taken through a face of the tissue of which nothing was known. True when there are any: the
+/// step is to be solved once more, from where it began.
+bool linkMetTissue(const Model&, State&);
+
 /// After the solve: forces kept for the next step, forces on tools, change of force on the tissue; puncture by the tip.
-void settleContacts(const Model&, int firstLink, State&, StepOutput&);
+void settleContacts(const Model&, State&, StepOutput&);
+
+double contactFriction(const Model&, const StrandContact&);   // [1]
 
 void gatherContactForces(const Model&, const StrandState&, std::vector<Vec3>& nodal);
 

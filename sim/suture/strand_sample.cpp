@@ -36,6 +36,20 @@ SurfacePoint faceMet(const Model& m, const SurfaceNow& tissue, const StrandSampl
   return met.distance < 0.0 ? met : SurfacePoint{};
 }
 
+/// The nearest vertex of all may be one of the wall's far side. Which side a sample is on tells the face that is nearest to it where it begins its step.
+SurfacePoint fromItsSide(const Model& m, const SurfaceNow& tissue, const StrandSample& x, int& vertex) {
+  nearestTriangle(m.surface, tissue, x.position, vertex);
+  return nearestSurface(m.surface, tissue, x.predicted, kReach, vertex);
+}
+
+/// The samples next to a hole are led by it.
+bool ledByHole(const Model& m, const StrandSample& x, const State& s) { return insideWall(m, s, x.coordinate, kLedSegments * segmentAt(m.strand, x.coordinate)); }
+
+int nearestOf(const Model& m, const SurfaceNow& tissue, const Vec3& p, int known, VertexBoxes& boxes) {   // p [m]
+  if (!boxes.filled) fillBoxes(m.surface, tissue, boxes);
+  return nearestVertex(m.surface, tissue, boxes, p, known);
+}
+
 }  // namespace
 
 int sampleCount(const StrandModel& m) { return m.nodes + static_cast<int>(m.sampleCoordinate.size()); }
@@ -75,19 +89,37 @@ SurfacePoint outAcross(const Model& m, const StrandSample& x, const SurfacePoint
 SurfacePoint nearTissue(const Model& m, const StrandSample& x, State& state) {
   StrandState& s = state.strand;
   const SurfaceNow tissue(state.tissue.position, state.tissue.gone);
-  if (insideWall(m, state, x.coordinate, kLedSegments * segmentAt(m.strand, x.coordinate))) return {};   // the samples next to a hole are led by it
+  if (ledByHole(m, x, state)) return {};
   SurfacePoint near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
   const bool pressedIn = near.triangle >= 0 && near.distance < 0.0 && near.distance > -kSkinDepth;
   const int interval = searchInterval(m, state, x);
   if (!pressedIn && static_cast<int>(state.step % interval) == x.index % interval) {
     const bool flies = x.thread && m.bowels.count > 1;             // the side that it is on now, not the one where it would come out
-    if (!state.work.boxes.filled) fillBoxes(m.surface, tissue, state.work.boxes);
-    s.nearVertex[x.index] = nearestVertex(m.surface, tissue, state.work.boxes, flies ? x.position : x.predicted, s.nearVertex[x.index]);
+    s.nearVertex[x.index] = nearestOf(m, tissue, flies ? x.position : x.predicted, s.nearVertex[x.index], state.work.boxes);
     near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
+    if (near.distance < 0.0) near = fromItsSide(m, tissue, x, s.nearVertex[x.index]);
   }
   if (!state.cut || !x.thread) return near;
   const SurfacePoint met = near.distance < 0.0 ? faceMet(m, tissue, x, s.nearVertex[x.index]) : SurfacePoint{};
   return met.triangle >= 0 ? met : outAcross(m, x, near, state);   // what a cut leaves of a wall ends in an edge hardly wider than the thread's nodes lie apart
+}
+
+SurfacePoint faceOnWay(const Model& m, const StrandSample& x, State& state) {
+  constexpr double kLook = 0.4e-3;             // [m] between two looks: no wall is so thin
+  const SurfaceNow tissue(state.tissue.position, state.tissue.gone);
+  const Vec3 way = x.predicted - x.position;   // [m]
+  if (ledByHole(m, x, state)) return {};
+  int vertex = nearestOf(m, tissue, x.position, state.strand.nearVertex[x.index], state.work.boxes);
+  if ((tissue.position[vertex] - x.position).norm() > kReach + way.norm()) return {};
+  nearestTriangle(m.surface, tissue, x.position, vertex);
+  const int looks = std::min(32, 1 + static_cast<int>(way.norm() / kLook));
+  for (int k = 0; k <= looks; ++k) {
+    SurfacePoint met = nearestSurface(m.surface, tissue, x.position + (static_cast<double>(k) / looks) * way, kReach, vertex);
+    if (met.triangle < 0 || met.distance >= 0.0) continue;
+    met.distance = met.normal.dot(x.predicted - met.point);
+    return k > 0 && met.distance < 0.0 ? met : SurfacePoint{};   // at once: it lay in the tissue, which is known
+  }
+  return {};
 }
 
 SurfacePoint nearBetween(const Model& m, const StrandSample& x, int node, const State& state) {

@@ -25,6 +25,9 @@ StrandSample sampleBetween(const Model&, const StrandState&, int node);
 /// Where the tissue is nearest to a node or a sample of the needle; none within reach, or where a hole leads it: triangle -1.
 SurfacePoint nearTissue(const Model&, const StrandSample&, State&);
 
+/// The face by which a sample goes into the tissue on its way from `position` to `predicted`, where it does not come out of it; else triangle -1.
+SurfacePoint faceOnWay(const Model&, const StrandSample&, State&);
+
 /// The way out across the thread, of a point pressed in no deeper than the skin; `near` as it is where there is none.
 SurfacePoint outAcross(const Model&, const StrandSample&, const SurfacePoint& near, const State&);
 

@@ -38,9 +38,8 @@ bool ledByHole(const StrandState& s, double coordinate) {        // [m]
 
 double depthInTissue(const Model& m, const State& s, const Vec3& p) {   // [m], negative outside
   const SurfaceNow now{s.tissue.position, s.tissue.gone};
-  int near = nearestVertex(m.surface, now, p);
-  const SurfacePoint at = nearestSurface(m.surface, now, p, kReach, near);
-  return at.triangle < 0 ? -kReach : -at.distance;
+  int near = m.surface.vertices.front();
+  return std::fmax(-kReach, -nearestTriangle(m.surface, now, p, near).distance);
 }
 
 double depthInTools(const Model& m, const State& s, const Vec3& p, double coordinate) {   // [m]
