@@ -70,8 +70,8 @@ bool solveThread(const Model& m, const KnottingMotion& motion, State& s, StepOut
 }
 
 /// Contacts are looked for where inertia takes the thread. It weighs next to nothing and goes where its neighbours pull it: what it has met on that way is
-/// known after the solve, which is then done once more. Not where thread is not knotted: its friction is a secant of the slide of this one step, which holds
-/// it on what it meets so (the purse-string stayed open at a quarter).
+/// known after the solve, which is then done once more. Not where thread is not knotted: the purse-string's hanging needle was caught there, and it was not
+/// shown that this was chance.
 bool solveAgainstTissue(const Model& m, const KnottingMotion& motion, State& s, StepOutput& out) {
   if (!m.params.thread.knots) return solveThread(m, motion, s, out);
   s.work.strandBefore = s.strand;

@@ -190,18 +190,10 @@ SurfacePoint nearestSurface(const SurfaceModel& s, const SurfaceNow& now, const 
 
 SurfacePoint nearestTriangle(const SurfaceModel& s, const SurfaceNow& now, const Vec3& p, int& vertex) {
   Nearest best = roundVertex(s, now, p, vertex);
-  int nearest = best.triangle;
-  for (int f = 0; f < static_cast<int>(s.triangles.size()); ++f) {
-    if (fartherThan(best.squared, s.triangles[f], now.position, p) || !exposed(s, now.gone, f)) continue;
-    Nearest one;
-    offer(s, now, p, f, one);
-    if (one.squared >= best.squared) continue;
-    best.squared = one.squared;
-    best.weight = one.weight;
-    nearest = f;
-  }
-  if (nearest < 0) return {};
-  vertex = s.triangles[nearest][heaviest(best.weight)];
+  for (int f = 0; f < static_cast<int>(s.triangles.size()); ++f)
+    if (!fartherThan(best.squared, s.triangles[f], now.position, p) && exposed(s, now.gone, f)) offer(s, now, p, f, best);
+  if (best.triangle < 0) return {};
+  vertex = s.triangles[best.triangle][heaviest(best.weight)];
   return descend(s, now, p, vertex).point();   // with every triangle that meets there
 }
 

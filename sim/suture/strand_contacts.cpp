@@ -43,6 +43,16 @@ struct Touch {
   StrandContact record;
 };
 
+Touch touchAt(const Model& m, const SurfacePoint& near, const Vec3& normal, const State& s) {   // [1]
+  Touch t;
+  t.point = near.point;
+  t.normal = normal;
+  t.moved = near.point - pointOn(m.surface, s.work.tissue.previous, near.triangle, near.weight);
+  return t;
+}
+
+double stiffnessOn(const Model& m, const StrandSample& x, const SurfacePoint& near, State& s) { return 1.0 / (giveOfTissue(m, x, near, s) + 1e-5); }   // [N/m]
+
 const StrandContact* previousContact(const StrandState& s, int sample, int feature, bool sameSurface, int triangles) {
   for (int i = 0; i < s.contactCount; ++i) {
     const StrandContact& c = s.contacts[i];
@@ -157,17 +167,14 @@ double sunkBefore(const Model& m, const State& s, const StrandSample& x, const T
 void touchTissue(const Model& m, const StrandSample& x, SurfacePoint near, State& state, int& fresh) {
   const StrandState& s = state.strand;
   if (near.triangle < 0 || near.distance < -kSkinDepth || !leavesAcross(m, x, state, near)) return;
-  Touch t;
-  t.point = near.point;
-  t.normal = acrossThread(m, s, x, near.normal);
-  t.moved = near.point - pointOn(m.surface, state.work.tissue.previous, near.triangle, near.weight);
+  Touch t = touchAt(m, near, acrossThread(m, s, x, near.normal), state);
   t.point -= sunkBefore(m, state, x, t) * t.normal;
   if (throughWall(m, x, state, fresh, near.triangle, near.normal)) {
     --fresh;
     --state.work.strand.linkCount;
     return;
   }
-  t.stiffness = 1.0 / (giveOfTissue(m, x, near, state) + 1e-5);
+  t.stiffness = stiffnessOn(m, x, near, state);
   const int triangles = static_cast<int>(m.surface.triangles.size());
   const StrandContact* old = previousContact(s, x.index, near.triangle, true, triangles);
   t.record = {x.index, near.triangle, carriedPush(m, x, old, t.normal), old ? old->force : Vec3(Vec3::Zero()), near.weight};
@@ -256,11 +263,8 @@ bool linkMetTissue(const Model& m, State& state) {
     x.predicted = state.strand.position[i];
     const SurfacePoint met = faceOnWay(m, x, state);
     if (met.triangle < 0 || met.distance > -kIn) continue;
-    Touch t;
-    t.point = met.point;
-    t.normal = met.normal;
-    t.moved = met.point - pointOn(m.surface, state.work.tissue.previous, met.triangle, met.weight);
-    t.stiffness = 1.0 / (giveOfTissue(m, x, met, state) + 1e-5);
+    Touch t = touchAt(m, met, met.normal, state);
+    t.stiffness = stiffnessOn(m, x, met, state);
     t.record = {i, met.triangle, 0.0, Vec3(Vec3::Zero()), met.weight};
     offerTouch(m, x, t, state, state.work.freshCount);
   }

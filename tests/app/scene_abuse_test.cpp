@@ -1,7 +1,6 @@
 /// Every scene, and hands that do anything: the step stays finite and bounded, contacts create little energy, little of the thread sinks into tissue and
-/// tools and none goes through a wall, and the same hands bring about the same bits again. From
-/// the scene's start and from the middle of its script, with thread in the walls or a pen under current. 2000 steps a case, or as many as
-/// HALSTED_ABUSE_STEPS says.
+/// tools and none goes through a wall, and the same hands bring about the same bits again. From the scene's start and from the middle of its script, with thread
+/// in the walls or a pen under current. 2000 steps a case, or as many as HALSTED_ABUSE_STEPS says.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

@@ -126,10 +126,10 @@ TEST(AssistKnot, ComesUndoneWhenATailIsLetGoBeforeItLocks) {
 }
 
 /// One stitch between two ends 5 mm apart, drawn together by the test: the tissue pulls it open with all its force. The walls still buzz a little
-/// (README), and one look at them says nothing: they are watched for a second. An edge that has caught on the other may slip off it: for some steps they are
-/// farther apart beside the stitch (1.3 mm, a vertex of the rim moves by 1.4 mm in one of them), while its thread pulls as before.
+/// (README), and one look at them says nothing: they are watched for a second. A vertex of the rim that leaves the neighbourhood of
+/// the triangle that it presses on gives up all of its force at once (0.46 N, others after it: `solvePairs`), and the rim leaps by 1.4 mm: a step later it is back.
 TEST(AssistKnot, HoldsTwoEndsTogetherThatWouldSpringApart) {
-  constexpr int kWatched = 1000, kSlip = 5;    // steps
+  constexpr int kWatched = 1000, kSlip = 2;    // steps
   constexpr double kApart = 1e-3;              // [m]
   double first[2], least[2], most[2], mean[2];   // [m]
   int apart[2] = {0, 0};                       // steps
@@ -155,7 +155,7 @@ TEST(AssistKnot, HoldsTwoEndsTogetherThatWouldSpringApart) {
   EXPECT_LT(first[1], 0.5e-3);
   EXPECT_LT(mean[1], 0.5e-3);
   EXPECT_LE(apart[1], kSlip);
-  EXPECT_LT(most[1], 2.0 * kApart);
+  EXPECT_LT(most[1], 1.5 * kApart);
   EXPECT_GT(least[0], 3e-3);
 }
 
