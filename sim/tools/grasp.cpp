@@ -21,6 +21,7 @@ constexpr double kMostSlip = 1e-3;             // [m] a step
 constexpr double kJawDepth = 7e-3;             // [m] from the tips along the jaws: how deep things may lie and be held
 constexpr double kSlipping = 0.998;            // [1] of the squared grip: above it a held point slides
 constexpr double kSlipReach = 1.5;             // [1] of the capture radius: tissue this far from the jaws has slipped out
+constexpr double kBackSpeed = 0.5;             // [m/s] of a tool that comes free: the hand's, and no farther in a step than contacts are looked for
 constexpr int kScan = 64;                      // samples along the needle when looking for what the jaws hold
 
 /// Distance of a point from the middle line of the jaws [m].
@@ -92,8 +93,27 @@ void takeBack(const Model& m, const TissueGrasp& grasp, int g, State& s) {
   for (int k = 0; k < 3; ++k) s.work.change[v[k]] -= grasp.weight[g][k] * grasp.force[g];
 }
 
+/// What pulled at the tool with this force has come free. The coupling has no mass and would be at the hand at once, past all that is on the way.
+void comeFree(const Model& m, int hand, const Vec3& force, ToolState& t) {   // [N]
+  t.lag += force / m.params.tools[hand].couplingStiffness;
+}
+
+/// The tool follows its hand.
+void catchUp(double dt, ToolState& t) {        // [s]
+  const double far = t.lag.norm(), most = kBackSpeed * dt;       // [m]
+  if (far > most) t.lag *= 1.0 - most / far;
+  else t.lag.setZero();
+}
+
+Vec3 graspForce(const TissueGrasp& grasp) {    // [N] on the tool
+  Vec3 sum = Vec3::Zero();
+  for (int g = 0; g < grasp.count; ++g) sum -= grasp.force[g];
+  return sum;
+}
+
 void release(const Model& m, int hand, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];
+  comeFree(m, hand, graspForce(t.grasp) + t.needleForce + t.threadForce, t);
   if (t.holdsNeedle) pushEvent(out, {s.step, EventKind::kNeedleReleased, hand, -1, t.needleForce.norm()});
   if (t.threadCoordinate >= 0.0) pushEvent(out, {s.step, EventKind::kThreadReleased, hand, -1, t.threadForce.norm()});
   if (t.grasp.count > 0) pushEvent(out, {s.step, EventKind::kTissueReleased, hand, -1, touchForce(t).norm()});
@@ -114,7 +134,7 @@ void close(const Model& m, int hand, State& s, StepOutput& out) {
 
 /// Where the tool would be if `own` were not pulling on it [m]: the spring of the coupling is then in series with the grip's.
 Pose looseTool(const Model& m, int hand, const ToolState& t, const Vec3& own) {
-  return {t.device.position + (t.force - own) / m.params.tools[hand].couplingStiffness, t.device.orientation};
+  return {t.device.position + t.lag + (t.force - own) / m.params.tools[hand].couplingStiffness, t.device.orientation};
 }
 
 double seriesStiffness(const Model& m, int hand) {
@@ -158,6 +178,7 @@ void moveTool(const Model& m, int hand, const ToolSample& sample, State& s, Step
   t.device = {givingWay(m.params.tools[hand], t, sample.pose.position), sample.pose.orientation};
   if (t.ratchet && sample.jaw < kCloseBelow) t.ratchet = false;
   if (!t.ratchet) t.jaw = restingJaw(m, hand, s, std::fmin(1.0, std::fmax(0.0, sample.jaw)));
+  catchUp(m.params.dt, t);
   updateProxy(m, hand, s);
   if (!t.closed && t.jaw < kCloseBelow) {
     t.closed = true;
@@ -205,6 +226,7 @@ void slipThread(const Model& m, int hand, State& s, StepOutput& out) {
   t.threadCoordinate += along > 0.0 ? slip : -slip;
   if (!parted && t.threadCoordinate > 0.0 && t.threadCoordinate < m.strand.length) return;
   pushEvent(out, {s.step, EventKind::kThreadReleased, hand, -1, pull});
+  comeFree(m, hand, t.threadForce, t);
   t.threadCoordinate = -1.0;
   t.threadForce.setZero();
   out.contact[hand].puncture = true;
@@ -240,7 +262,9 @@ bool slideThroughJaws(const Model& m, const ToolParams& tool, const Pose& jaws, 
 void slipGrasp(const Model& m, int hand, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];
   const double held = touchForce(t).norm();    // [N]
+  const Vec3 grip = graspForce(t.grasp);       // [N]
   if (!slideThroughJaws(m, toolOf(m, s, hand), t.proxy, t.grasp, s)) return;
+  comeFree(m, hand, grip - graspForce(t.grasp), t);
   if (t.grasp.count == 0) pushEvent(out, {s.step, EventKind::kTissueReleased, hand, -1, held});
   out.contact[hand].puncture = true;           // what slips out may jump
 }
@@ -248,7 +272,7 @@ void slipGrasp(const Model& m, int hand, State& s, StepOutput& out) {
 void updateProxy(const Model& m, int hand, State& s) {
   ToolState& t = s.tools[hand];
   t.force = touchForce(t) + t.needleForce + t.threadForce + t.strandForce;
-  t.proxy.position = t.device.position + t.force / m.params.tools[hand].couplingStiffness;
+  t.proxy.position = t.device.position + t.lag + t.force / m.params.tools[hand].couplingStiffness;
   t.proxy.orientation = t.device.orientation;
 }
 

@@ -21,6 +21,7 @@ struct ToolState {
   static constexpr int kMaxContacts = 24, kMaxNear = 512;
   Pose device;                                 // last sample consumed; nearer to the tool where the hand has given way (ToolParams::handForce)
   Pose proxy;                                  // where the simulated tool is
+  Vec3 lag = Vec3::Zero();                     // [m] of the tool behind where its coupling would have it, since what it pulled at has come free
   double jaw = 1.0;                            // [1]
   bool closed = false;                         // jaws shut enough to hold
   bool ratchet = false;                        // locked shut, as a loaded needle driver is handed over; the first squeeze unlocks it

@@ -126,13 +126,10 @@ TEST(AssistKnot, ComesUndoneWhenATailIsLetGoBeforeItLocks) {
 }
 
 /// One stitch between two ends 5 mm apart, drawn together by the test: the tissue pulls it open with all its force. The walls still buzz a little
-/// (README), and one look at them says nothing: they are watched for a second. A vertex of the rim that leaves the neighbourhood of
-/// the triangle that it presses on gives up all of its force at once (0.46 N, others after it: `solvePairs`), and the rim leaps by 1.4 mm: a step later it is back.
+/// (README), and one look at them says nothing: they are watched for a second.
 TEST(AssistKnot, HoldsTwoEndsTogetherThatWouldSpringApart) {
-  constexpr int kWatched = 1000, kSlip = 2;    // steps
-  constexpr double kApart = 1e-3;              // [m]
+  constexpr int kWatched = 1000;               // steps
   double first[2], least[2], most[2], mean[2];   // [m]
-  int apart[2] = {0, 0};                       // steps
   for (int on = 0; on < 2; ++on) {
     SewnEnds ends({.stitches = 1, .spacing = 4e-3, .depth = 5e-3, .gap = 5e-3, .assist = true});
     ends.tighten();
@@ -147,15 +144,12 @@ TEST(AssistKnot, HoldsTwoEndsTogetherThatWouldSpringApart) {
       least[on] = std::min(least[on], gap);
       most[on] = std::max(most[on], gap);
       mean[on] += gap / kWatched;
-      apart[on] += gap > kApart;
     }
-    std::printf("%s: walls %.2f to %.2f mm apart, %.2f in the mean, in %d steps more than %.0f\n", on ? "tied" : "not tied", 1e3 * least[on], 1e3 * most[on],
-                1e3 * mean[on], apart[on], 1e3 * kApart);
+    std::printf("%s: walls %.2f to %.2f mm apart, %.2f in the mean\n", on ? "tied" : "not tied", 1e3 * least[on], 1e3 * most[on], 1e3 * mean[on]);
   }
   EXPECT_LT(first[1], 0.5e-3);
   EXPECT_LT(mean[1], 0.5e-3);
-  EXPECT_LE(apart[1], kSlip);
-  EXPECT_LT(most[1], 1.5 * kApart);
+  EXPECT_LT(most[1], 1e-3);
   EXPECT_GT(least[0], 3e-3);
 }
 

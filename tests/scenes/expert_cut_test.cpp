@@ -65,7 +65,7 @@ TEST(ExpertCut, TheOtherHandLetsGoOfAnotherTurnOfTheThread) {
   const double wanted = held;                  // [m]
   bool opened = false;
   for (int k = 0; k < 1000 && !opened; ++k) {
-    if (w.state.tools[kLeft].closed) held = wanted - 18e-3;   // just farther off than what the surgeon takes for the same; a longer jerk may tear the stitch out
+    if (w.state.tools[kLeft].closed) held = wanted - 25e-3;
     ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
     opened = !w.state.tools[kLeft].closed;
   }

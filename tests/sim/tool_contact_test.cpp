@@ -161,6 +161,27 @@ TEST(Grasp, ReleaseReturnsTheTissueToRest) {
   EXPECT_EQ(g.state.tools[kLeft].force, Vec3::Zero());
 }
 
+/// The coupling has no mass: without its lag the tool would be at the hand in one step, past all that lies on the way.
+TEST(Grasp, AToolThatComesFreeFollowsItsHandAtTheSpeedOfOne) {
+  constexpr double kFastest = 0.5;               // [m/s]
+  EdgeGrasp g;
+  g.close();
+  for (int k = 0; k < 380; ++k) { g.input.tools[kLeft].pose = straddling(1e-5 * k); g.step(); }
+  const ToolState& t = g.state.tools[kLeft];
+  ASSERT_GT((t.proxy.position - t.device.position).norm(), 2.0 * kFastest * g.model.params.dt);
+  g.input.tools[kLeft].jaw = 1.0;
+  double most = 0.0;                             // [m]
+  for (int k = 0; k < 20; ++k) {
+    const Vec3 before = t.proxy.position;
+    g.step();
+    ASSERT_EQ(t.grasp.count, 0);
+    most = std::max(most, (t.proxy.position - before).norm());
+  }
+  EXPECT_LT(most, 1.01 * kFastest * g.model.params.dt);
+  EXPECT_EQ(t.lag, Vec3::Zero());
+  EXPECT_LT((t.proxy.position - t.device.position).norm(), 1e-9);
+}
+
 TEST(Grasp, SlipsOutAboveTheGripForce) {
   EdgeGrasp g;
   g.close();
