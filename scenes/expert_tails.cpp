@@ -24,6 +24,7 @@ constexpr double kFeel = 0.5;                  // [N] short of the tension at wh
 constexpr double kFeelTime = 0.2;              // [s] thread that catches and slips is felt as its mean
 constexpr double kTight = 0.3;                 // [1] of the speed: nothing comes any more
 constexpr double kHoldTight = 1.5;             // [s]
+constexpr double kGain = 5e-3, kPatience = 4.0;                  // [1] of the opening at rest, [s]: pulled on for no more than that, thread cuts through
 constexpr double kSnug = 0.15, kClosed = 0.13; // [1] of the opening at rest: it lies on the anvil; no need to draw any more
 constexpr double kWallsMeet = 2e-3;            // [m] of gap between two ends that looks as open as an opening at rest
 constexpr double kDrawSpeed = 0.04, kDrawReach = 0.06;           // [m/s] [m] of one stroke
@@ -227,17 +228,19 @@ bool runTighten(const Scene& s, std::string&) {
   if (e.phase == 0) {
     for (int h = 0; h < kHands; ++h) e.goal[h] = e.hand[h].command;
     e.drawn = e.felt = {};
-    e.settled = 0.0;
+    e.settled = e.stuck = 0.0;
+    e.closed = false;
+    e.least = opening(s.state, s.model);
     nextPhase(s);
   }
   const double open = opening(s.state, s.model);                                                 // [1]
-  const bool closed = open < kClosed;
+  e.closed = open < (e.closed ? kSnug : kClosed);                                                 // held, it springs back a little
   bool exhausted = false;                      // an arm is stretched out and its tail still slack: both need a shorter grip
   double fastest = 0.0;                        // [1] of the tightening speed
   for (int h = 0; h < kHands; ++h) {
     feel(e.felt[h], s.state.tools[h].threadForce.norm(), s.dt, kFeelTime);
     const double slack = (s.action.tension - e.felt[h]) / kFeel;                                 // [1]
-    const double pace = closed || e.drawn[h] >= kTightenReach ? std::fmin(0.0, slack) : std::fmin(1.0, slack);
+    const double pace = e.closed ? std::fmin(0.0, slack + 1.0) : e.drawn[h] >= kTightenReach ? std::fmin(0.0, slack) : std::fmin(1.0, slack);
     e.drawn[h] = std::fmax(-kMostGiven, e.drawn[h] + std::fmax(-1.0, pace) * kTightenSpeed * s.dt);
     fastest = std::fmax(fastest, pace);
     exhausted = exhausted || e.drawn[h] >= kTightenReach;
@@ -246,7 +249,11 @@ bool runTighten(const Scene& s, std::string&) {
     moveHand(s, h, {e.goal[h].position + e.drawn[h] * way, e.goal[h].orientation}, 0.1);
   }
   e.settled = open < kSnug || exhausted || fastest < kTight ? e.settled + s.dt : 0.0;
-  return e.settled > kHoldTight;
+  const bool tight = std::fmax(e.felt[kLeft], e.felt[kRight]) > 0.5 * s.action.tension;
+  const bool gains = open < e.least - kGain;
+  if (gains) e.least = open;
+  e.stuck = gains || !tight ? 0.0 : e.stuck + s.dt;
+  return e.settled > kHoldTight || e.stuck > kPatience;
 }
 
 }  // namespace halsted::scenes
