@@ -50,6 +50,21 @@ TEST_F(Drawing, EndsOverAThrowAreDrawnAlongTheWall) {
   }
 }
 
+/// A long end that is still slack where the arm reaches over the bowel: in `stay` the forceps leant on it with 18.7 N.
+TEST_F(Drawing, AHandThatLeansOnTissueDrawsNoFarther) {
+  runTo(scenes::kDrawTight);
+  const double before = memory->knot.drawn[kLeft];   // [m]
+  std::string failure;
+  ToolState& left = w.state.tools[kLeft];
+  left.contactCount = 1;
+  left.contactForce[0] = Vec3(0.0, 0.0, 10.0);
+  scenes::runTie(scene, failure);
+  EXPECT_EQ(memory->knot.drawn[kLeft], before);
+  left.contactCount = 0;
+  scenes::runTie(scene, failure);
+  EXPECT_GT(memory->knot.drawn[kLeft], before);
+}
+
 /// Taken as far in as for the first, the tail would leave no room for a throw between jaws and knot.
 TEST_F(Drawing, LaterThrowsTakeTheTailNearerToItsEnd) {
   w.state.strand.holes[0].coordinate = 44e-3;
