@@ -6,7 +6,6 @@
 #include "sim/strand/strand.h"
 #include "sim/suture/knot_place.h"
 #include "sim/suture/tied_loop.h"
-#include "sim/tools/touch.h"
 
 namespace halsted::scenes {
 namespace {
@@ -22,7 +21,7 @@ constexpr double kDraw = 0.03, kDrawTaut = 5e-3;   // [m/s] of slack thread; of 
 constexpr double kHoldTail = 0.15;             // [1] of that for the tail: it is to stay short
 constexpr double kReach = 0.09;                // [m] as far as an arm draws
 constexpr double kBehind = 10e-3;              // [m] that a hand lags where its device stops
-constexpr double kLeans = 8.0;                 // [N] of tissue against a hand on its way: no farther
+constexpr double kLeans = 8.0;                 // [N] on a hand, twice what any end is drawn with: it leans on something
 constexpr double kFeel = 0.5;                  // [N]
 constexpr double kLaySide = 0.5, kLayUp = 0.2; // [1] of the way toward the surgeon
 constexpr double kLaySlack = 0.95;             // [1] of the tail's straight length: as far from the stitch as it was drawn, it would still draw
@@ -125,7 +124,7 @@ bool drawTight(const Scene& s) {
     const bool ready = !loosensThrow(s) || stopped || k.felt[kLeft] > kOff || k.drawn[kLeft] >= kReach;
     const double most = h == kLeft || stopped ? 1.0 : ready ? kHoldTail : 0.0;   // [1]
     const double pace = std::fmax(-1.0, std::fmin(most, lack));  // [1]
-    stopped = (e.hand[h].command.position - s.state.tools[h].proxy.position).norm() > kBehind || touchForce(s.state.tools[h]).norm() > kLeans;
+    stopped = (e.hand[h].command.position - s.state.tools[h].proxy.position).norm() > kBehind || s.state.tools[h].force.norm() > kLeans;
     const double by = pace * (k.felt[h] > kOff ? kDrawTaut : kDraw) * s.dt;   // [m]
     if (!stopped || by < 0.0) k.drawn[h] = std::fmin(kReach, std::fmax(0.0, k.drawn[h] + by));
     tight = tight && (lack < 0.2 || stopped || k.drawn[h] >= kReach);

@@ -56,11 +56,11 @@ TEST_F(Drawing, AHandThatLeansOnTissueDrawsNoFarther) {
   const double before = memory->knot.drawn[kLeft];   // [m]
   std::string failure;
   ToolState& left = w.state.tools[kLeft];
-  left.contactCount = 1;
-  left.contactForce[0] = Vec3(0.0, 0.0, 10.0);
+  const Vec3 felt = left.force;                // [N]
+  left.force = Vec3(0.0, 0.0, 10.0);
   scenes::runTie(scene, failure);
   EXPECT_EQ(memory->knot.drawn[kLeft], before);
-  left.contactCount = 0;
+  left.force = felt;
   scenes::runTie(scene, failure);
   EXPECT_GT(memory->knot.drawn[kLeft], before);
 }
