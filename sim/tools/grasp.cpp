@@ -224,7 +224,7 @@ void slipThread(const Model& m, int hand, State& s, StepOutput& out) {
   const double along = -t.threadForce.dot(strandTangent(m.strand, s.strand, t.threadCoordinate));   // [N] of the jaws on the thread
   const double slip = std::fmin(kMostSlip, (pull - kThreadGrip) / seriesStiffness(m, hand));        // [m]
   t.threadCoordinate += along > 0.0 ? slip : -slip;
-  if (!parted && t.threadCoordinate > 0.0 && t.threadCoordinate < m.strand.length) return;
+  if (!parted && t.threadCoordinate > 0.0 && t.threadCoordinate < m.strand.length && !partedAt(m, s, t.threadCoordinate)) return;
   pushEvent(out, {s.step, EventKind::kThreadReleased, hand, -1, pull});
   comeFree(m, hand, t.threadForce, t);
   t.threadCoordinate = -1.0;

@@ -1,6 +1,8 @@
 /// The blades of the needle driver.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "sim/tools/cutter.h"
 #include "tests/sim/step_rig.h"
 
@@ -132,6 +134,27 @@ double takenAlongByADriverWithTheNeedle() {
     rig.step();
   }
   return (rig.state.strand.position[kPiece / 2] - before).dot(way) - 10e-3;
+}
+
+/// Between the two ends of a cut there is no thread: jaws that held a place half-way to the other piece, which had fallen to the ground, drew with 672 N.
+TEST(Cutter, JawsLetGoOfAnEndThatSlipsOutOfThem) {
+  StepRig rig = closedOnThread(false, 2e-3);
+  rig.step();
+  State& s = rig.state;
+  ASSERT_GE(s.tools[kLeft].threadCoordinate, rig.model.strand.place[kSegment]);
+  s.threadContacts.cut[kSegment - 1] = 1;
+  for (int i = 0; i < kSegment; ++i) s.strand.position[i].z() -= 12.0;   // [m] on its way for a second and a half
+  const Vec3 away = (s.strand.position[kSegment] - s.strand.position[kSegment + 1]).normalized();
+  double most = 0.0;                           // [N]
+  int steps = 0;
+  for (; s.tools[kLeft].threadCoordinate >= 0.0 && steps < 4000; ++steps) {
+    rig.input.tools[kLeft].pose.position += 2e-5 * away;
+    rig.step();
+    most = std::max({most, s.tools[kLeft].threadForce.norm(), *std::max_element(s.strand.tension.begin(), s.strand.tension.end())});
+  }
+  EXPECT_LT(s.tools[kLeft].threadCoordinate, 0.0);
+  EXPECT_GT(most, 8.0);                        // it did slip
+  EXPECT_LT(most, 10.0);
 }
 
 TEST(Cutter, JawsThatHoldANeedleThatIsCutOffAreNoLessInTheWayOfItsThread) { EXPECT_GT(takenAlongByADriverWithTheNeedle(), 5e-3); }
