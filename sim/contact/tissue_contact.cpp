@@ -12,8 +12,6 @@ namespace {
 
 constexpr double kThickness = 0.1e-3;          // [m] gap kept between two surfaces
 constexpr double kLeastGive = 1e-6;            // [m/N] where everything is held in place
-constexpr double kLettingGo = 0.5;             // [1] of its force that a pair keeps a sweep once it is not near: all at once, the walls that it held apart leap
-constexpr double kNothing = 1e-4;              // [N] left of it
 
 void applyPair(const Model& m, const PairGap& g, int vertex, int triangle, double force, std::vector<Vec3>& nodal) {
   nodal[vertex] += force * g.normal;
@@ -96,8 +94,6 @@ void answerLoads(const Model& m, TissueWork& w, std::vector<double>& load) {
   for (int i = 0; i < p.size; ++i) load[i] = m.tissue.isFixed[i] ? 0.0 : std::fmax(w.rows[4 * p.permutation[i]], p.self[i]);
 }
 
-double lettingGo(double force) { return force > kNothing ? kLettingGo * force : 0.0; }   // [N]
-
 void solvePairs(const Model& m, State& s) {
   TissueState& t = s.tissue;
   const SelfWork& w = s.work.self;
@@ -108,7 +104,7 @@ void solvePairs(const Model& m, State& s) {
     const auto& v = m.surface.triangles[triangle];
     const double both = give[vertex] + g.weight[0] * give[v[0]] + g.weight[1] * give[v[1]] + g.weight[2] * give[v[2]] + kLeastGive;   // [m/N]
     const double before = t.pairForce[i];
-    t.pairForce[i] = g.near ? std::fmax(0.0, before + (kThickness - g.height) / both) : lettingGo(before);
+    t.pairForce[i] = g.near ? std::fmax(0.0, before + (kThickness - g.height) / both) : 0.0;
     applyPair(m, g, vertex, triangle, t.pairForce[i] - before, s.work.change);
   }
 }

@@ -164,30 +164,6 @@ TEST(SelfContact, NothingBesideASharpEdgeCountsAsInside) {
   }
 }
 
-/// A vertex that slides off the edge of the triangle that it presses on is not near any more; what it carried goes over some steps.
-TEST(SelfContact, APairThatIsNotNearAnyMoreLetsGoOverSomeSteps) {
-  Plates plates(10e-3, true);
-  TissueState& t = plates.state.tissue;
-  const double force = 0.5;                      // [N]
-  int vertex = 0;
-  while (plates.model.tissue.isFixed[vertex]) ++vertex;
-  t.pairCount = 1;
-  t.pairVertex[0] = vertex;
-  t.pairTriangle[0] = static_cast<int>(plates.model.surface.triangles.size()) - 1;
-  t.pairForce[0] = force;
-  ASSERT_FALSE(pairGap(plates.model, t.position, vertex, t.pairTriangle[0]).near);
-  double before = force, most = 0.0;             // [N]
-  int steps = 0;
-  for (; t.pairCount > 0 && steps < 1000; ++steps) {
-    step(plates.model, plates.input, plates.state, plates.out);
-    const double now = t.pairCount > 0 ? t.pairForce[0] : 0.0;   // [N]
-    most = std::max(most, before - now);
-    before = now;
-  }
-  EXPECT_LT(most, 0.6 * force);
-  EXPECT_LT(steps, 20 + kPairRound);
-}
-
 /// Whichever turn of the search the meeting falls into. Their middles stay a plate's thickness apart, less half a wall.
 TEST_P(ClosingPlates, NeverPassThroughEachOther) {
   double nearest = 1.0;                          // [m]
