@@ -105,12 +105,6 @@ void catchUp(double dt, ToolState& t) {        // [s]
   else t.lag.setZero();
 }
 
-Vec3 graspForce(const TissueGrasp& grasp) {    // [N] on the tool
-  Vec3 sum = Vec3::Zero();
-  for (int g = 0; g < grasp.count; ++g) sum -= grasp.force[g];
-  return sum;
-}
-
 void release(const Model& m, int hand, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];
   comeFree(m, hand, graspForce(t.grasp) + t.needleForce + t.threadForce, t);
@@ -152,6 +146,12 @@ void dropGraspPoint(TissueGrasp& grasp, int g) {
   grasp.triangle[last] = -1;
   grasp.weight[last] = {};
   grasp.local[last] = grasp.force[last] = Vec3::Zero();
+}
+
+Vec3 graspForce(const TissueGrasp& grasp) {
+  Vec3 sum = Vec3::Zero();
+  for (int g = 0; g < grasp.count; ++g) sum -= grasp.force[g];
+  return sum;
 }
 
 void letGoOfTissue(const Model& m, TissueGrasp& grasp, State& s) {

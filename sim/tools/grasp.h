@@ -22,11 +22,14 @@ void slipGrasp(const Model&, int hand, State&, StepOutput&);
 /// The same for any jaws: what lies past their hold is held where it lies now. True when some has left them, and its force is taken back.
 bool slideThroughJaws(const Model&, const ToolParams&, const Pose& jaws, TissueGrasp&, State&);
 
+/// Of the tissue on the jaws that hold it.  [N]
+Vec3 graspForce(const TissueGrasp&);
+
 /// Takes one held point of tissue out of the list, or all of them with their forces.
 void dropGraspPoint(TissueGrasp&, int point);
 void letGoOfTissue(const Model&, TissueGrasp&, State&);
 
-/// Total force on the hand and the proxy that follows from it: proxy = device + force / coupling.
+/// Total force on the hand and the proxy that follows from it: proxy = device + lag + force / coupling.
 void updateProxy(const Model&, int hand, State&);
 
 }  // namespace halsted

@@ -18,12 +18,6 @@ ClampRefusal refusal(const Model& m, const State& s, int hand) {
   return ClampRefusal::kNone;
 }
 
-Vec3 pullOn(const StandingClamp& c) {          // [N] of the tissue
-  Vec3 sum = Vec3::Zero();
-  for (int g = 0; g < c.grasp.count; ++g) sum -= c.grasp.force[g];
-  return sum;
-}
-
 /// Those behind it move up; what it holds is let go of.
 void takeOff(const Model& m, int which, double held, State& s, StepOutput& out) {   // held [N]
   StandingClamps& all = *s.clamps;
@@ -53,7 +47,7 @@ void handOverClamp(const Model& m, int hand, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];
   StandingClamp& c = s.clamps->clamp[s.clamps->count++];
   c = {hand, s.instruments ? s.instruments->second[hand] : 0, t.jaw, t.device, t.proxy, t.grasp};
-  c.held.position = t.proxy.position - pullOn(c) / couplingOf(m, s, hand);   // where the tissue draws it from: it stays where it is
+  c.held.position = t.proxy.position - graspForce(c.grasp) / couplingOf(m, s, hand);   // where the tissue draws it from: it stays where it is
   while (t.grasp.count > 0) dropGraspPoint(t.grasp, t.grasp.count - 1);
   --s.clamps->left;
   for (int other = 0; other < kHands; ++other) listNearTriangles(m, other, s);
@@ -83,7 +77,7 @@ void findStandingGrasps(const Model& m, State& s) {
 void settleStandingClamps(const Model& m, State& s, StepOutput& out) {
   for (int k = s.clamps ? s.clamps->count - 1 : -1; k >= 0; --k) {
     StandingClamp& c = s.clamps->clamp[k];
-    const Vec3 pull = pullOn(c);               // [N]
+    const Vec3 pull = graspForce(c.grasp);     // [N]
     c.pose.position = c.held.position + pull / couplingOf(m, s, kHands + k);
     slideThroughJaws(m, toolOf(m, c), c.pose, c.grasp, s);
     if (c.grasp.count == 0 || mayLetGo(m, s, c)) takeOff(m, k, pull.norm(), s, out);
@@ -93,7 +87,7 @@ void settleStandingClamps(const Model& m, State& s, StepOutput& out) {
 void dropStandingGrasps(const Model& m, State& s, StepOutput& out) {
   for (int k = s.clamps ? s.clamps->count - 1 : -1; k >= 0; --k) {
     TissueGrasp& grasp = s.clamps->clamp[k].grasp;
-    const double held = pullOn(s.clamps->clamp[k]).norm();       // [N]
+    const double held = graspForce(grasp).norm();                // [N]
     for (int g = grasp.count - 1; g >= 0; --g)
       if (!exposed(m.surface, s.tissue.gone, grasp.triangle[g])) dropGraspPoint(grasp, g);
     if (grasp.count == 0) takeOff(m, k, held, s, out);
