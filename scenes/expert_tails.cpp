@@ -24,7 +24,6 @@ constexpr double kFeel = 0.5;                  // [N] short of the tension at wh
 constexpr double kFeelTime = 0.2;              // [s] thread that catches and slips is felt as its mean
 constexpr double kTight = 0.3;                 // [1] of the speed: nothing comes any more
 constexpr double kHoldTight = 1.5;             // [s]
-constexpr double kGain = 5e-3, kPatience = 4.0, kAlmost = 0.8;   // [1] of the opening at rest, [s], [1] of the tension: both tails that tight and drawn on for no more than that, thread cuts through
 constexpr double kSnug = 0.15, kClosed = 0.13; // [1] of the opening at rest: it lies on the anvil; no need to draw any more
 constexpr double kWallsMeet = 2e-3;            // [m] of gap between two ends that looks as open as an opening at rest
 constexpr double kDrawSpeed = 0.04, kDrawReach = 0.06;           // [m/s] [m] of one stroke
@@ -228,9 +227,8 @@ bool runTighten(const Scene& s, std::string&) {
   if (e.phase == 0) {
     for (int h = 0; h < kHands; ++h) e.goal[h] = e.hand[h].command;
     e.drawn = e.felt = {};
-    e.settled = e.stuck = 0.0;
+    e.settled = 0.0;
     e.closed = false;
-    e.least = opening(s.state, s.model);
     nextPhase(s);
   }
   const double open = opening(s.state, s.model);                                                 // [1]
@@ -249,11 +247,7 @@ bool runTighten(const Scene& s, std::string&) {
     moveHand(s, h, {e.goal[h].position + e.drawn[h] * way, e.goal[h].orientation}, 0.1);
   }
   e.settled = open < kSnug || exhausted || fastest < kTight ? e.settled + s.dt : 0.0;
-  const bool tight = std::fmin(e.felt[kLeft], e.felt[kRight]) > kAlmost * s.action.tension;
-  const bool gains = open < e.least - kGain;
-  if (gains) e.least = open;
-  e.stuck = gains || !tight ? 0.0 : e.stuck + s.dt;
-  return e.settled > kHoldTight || e.stuck > kPatience;
+  return e.settled > kHoldTight;
 }
 
 }  // namespace halsted::scenes

@@ -47,10 +47,24 @@ bool wantsDrawing(const Scene& s) {
   return wallsCameApart(s) || (hangs > 0.0 && hangs < before - kGain);
 }
 
-/// A throw that wants it is drawn again; else the next one follows: the long end is now on the other side of the stitch.
+/// Looks at the throw that is drawn, as long as it takes to let go of it: thread that lies over a knot hides it at times.
+void lookAtThrow(const Scene& s) {
+  KnotPlan& k = s.memory.knot;
+  const KnotState& seen = s.state.knot;
+  k.looked = k.looked || (seen.watched && seen.complete && seen.crossingsLeft == 0);
+  k.came = k.came || seen.throws > k.throwsBefore || turns(seen) > k.turnsBefore;
+}
+
+/// A throw that did not come is wound once more, from the side where it was begun. One that wants it is drawn again; else the next one
+/// follows: the long end is now on the other side of the stitch.
 void nextThrow(const Scene& s, std::string& failure) {
   if (!letTailGo(s)) return;
   KnotPlan& k = s.memory.knot;
+  if (noThrowCame(k)) {
+    if (++k.misses > kAttempts) failure = "no throw comes of the loop";
+    goTo(s, kLiftLong);
+    return;
+  }
   if (wantsDrawing(s)) {
     if (++k.redrawn > kMostRedrawn) failure = "the throw does not stay on the wall";
     goTo(s, kAgain);
@@ -100,6 +114,7 @@ bool unwind(const Scene& s) {
 bool runTie(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   if (e.phase != kLook && s.state.strand.holeCount < 2) { failure = "the thread has left the tissue"; return false; }
+  if (e.phase >= kDrawTight && e.phase <= kLetTail) lookAtThrow(s);
   if (e.phase == kLook) begin(s, failure);
   else if (e.phase < kLiftIt) takeNearer(s);
   else if (e.phase < kFreeDriver) handOver(s);
@@ -113,7 +128,8 @@ bool runTie(const Scene& s, std::string& failure) {
   else if (e.phase == kLetTail) nextThrow(s, failure);
   else if (e.phase >= kAgain) drawAgain(s);
   else if (drawTight(s)) {
-    if (e.knot.current + 1 == e.knot.throws.size() && !wantsAnother(s)) return true;
+    const bool last = e.knot.current + 1 == e.knot.throws.size();
+    if (last && !noThrowCame(e.knot) && !wantsAnother(s)) return true;
     goTo(s, kLayTail);
   }
   return false;

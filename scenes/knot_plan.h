@@ -31,6 +31,8 @@ struct KnotPlan {
   double beyond = 0.0;                         // [m] of thread in the loop beyond the way from hole to hole, as its last throw was drawn
   double hung = 1.0;                           // [m] of that as this throw's loop was last seen to hang: farther than any can
   double tailOut = 0.0;                        // [m] coordinate at which the tail left the throws that lay as it was taken; with none, its hole
+  int throwsBefore = 0, turnsBefore = 0;       // what was tied as this throw was begun
+  bool looked = false, came = false;           // since it is drawn: the knot has been read in full; it has shown more than before
   bool loose = false;                          // as this one was begun, nothing locked the throw below it: later its own loop, still wide, may be read as a lock
   int redrawn = 0;                             // how often a throw has been drawn again, as its loop hung
   int misses = 0;                              // of the tail, or of a loop that clings or slides off, in this throw
@@ -39,5 +41,8 @@ struct KnotPlan {
   std::array<double, kHands> drawn{}, felt{};  // [m], [N]
   double settled = 0.0;                        // [s]
 };
+
+/// The loop has come off beside the tail: what is tied, seen in full, is what was tied before.
+inline bool noThrowCame(const KnotPlan& k) { return k.looked && !k.came; }
 
 }  // namespace halsted::scenes

@@ -158,17 +158,19 @@ void drawAgain(const Scene& s) {
 }
 
 /// The tail is laid toward the surgeon, away from the thread between the knot and the holes, or the jaws would take that for it. The other
-/// hand eases off with it: a pull that nothing answers any more would draw the throw along the tail, off the stitch.
+/// hand eases off with it: a pull that nothing answers any more would draw the throw along the tail, off the stitch. Of a throw that did not
+/// come, it goes back to where it was, opposite to the long end.
 bool layTail(const Scene& s) {
   ExpertState& e = s.memory;
   KnotPlan& k = e.knot;
   const Vec3 from = stitch(s);
-  feel(k.felt[kLeft], s.state.tools[kLeft].threadForce.norm(), s.dt, kFeelTime);
+  feel(k.felt[kLeft], std::fmax(0.0, s.state.tools[kLeft].threadForce.dot(k.side)), s.dt, kFeelTime);   // what pushes it back is no pull
   if (k.felt[kLeft] > kEased) k.drawn[kLeft] -= kEase * s.dt;
   moveHand(s, kLeft, {e.goal[kLeft].position - k.drawn[kLeft] * k.side, e.goal[kLeft].orientation}, kEase);
   if (s.inPhase < 1.5 * s.dt) {
     const double far = (e.hand[kRight].command.position - from).norm();   // [m]
-    e.goal[kRight] = keepTurn(s, kRight, from + kLaySlack * far * (kLaySide * e.knot.side + e.knot.handle + kLayUp * e.knot.up).normalized());
+    const double aside = noThrowCame(k) ? -kLaySide : kLaySide;   // [1]
+    e.goal[kRight] = keepTurn(s, kRight, from + kLaySlack * far * (aside * e.knot.side + e.knot.handle + kLayUp * e.knot.up).normalized());
   }
   return moveHand(s, kRight, e.goal[kRight], kCareful);
 }

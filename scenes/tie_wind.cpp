@@ -84,6 +84,9 @@ void wind(const Scene& s) {
       k.hole = longHole(s).coordinate;
       k.swept = k.given = k.lower = k.detour = 0.0;
       k.loose = k.current > 0 && locks(s.state.knot) == 0;
+      k.throwsBefore = s.state.knot.throws;
+      k.turnsBefore = turns(s.state.knot);
+      k.looked = k.came = false;
       k.felt = {};
     }
     giveWay(s, kTight);

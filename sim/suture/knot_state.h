@@ -28,4 +28,11 @@ inline int locks(const KnotState& k) {
 }
 inline int slides(const KnotState& k) { return k.throws > 0 ? k.throws - 1 - locks(k) : 0; }
 
+/// Turns of all throws.
+inline int turns(const KnotState& k) {
+  int count = 0;
+  for (int i = 0; i < k.throws; ++i) count += k.turns[i];
+  return count;
+}
+
 }  // namespace halsted

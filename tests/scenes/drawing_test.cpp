@@ -65,6 +65,21 @@ TEST_F(Drawing, AHandThatLeansOnTissueDrawsNoFarther) {
   EXPECT_GT(memory->knot.drawn[kLeft], before);
 }
 
+/// The hand that eased off felt the wall against which it came as if that were the pull it was to answer, and leant on it with 8 N (`connell`).
+TEST_F(Drawing, AHandThatEasesOffAnswersAPullAndNoPush) {
+  runTo(scenes::kLayTail);
+  std::string failure;
+  const auto eased = [&](double pull) {        // [N] toward the stitch
+    const double before = memory->knot.drawn[kLeft];   // [m]
+    memory->knot.felt[kLeft] = 0.0;
+    w.state.tools[kLeft].threadForce = pull * memory->knot.side;
+    for (int k = 0; k < 20; ++k) scenes::runTie(scene, failure);
+    return before - memory->knot.drawn[kLeft];
+  };
+  EXPECT_GT(eased(2.0), 1e-3);
+  EXPECT_EQ(eased(-2.0), 0.0);
+}
+
 /// Taken as far in as for the first, the tail would leave no room for a throw between jaws and knot.
 TEST_F(Drawing, LaterThrowsTakeTheTailNearerToItsEnd) {
   w.state.strand.holes[0].coordinate = 44e-3;
@@ -72,6 +87,24 @@ TEST_F(Drawing, LaterThrowsTakeTheTailNearerToItsEnd) {
   memory->knot.current = 1;
   EXPECT_GT(first, 10e-3);
   EXPECT_LT(scenes::tailPlace(scene), 6e-3);
+}
+
+/// In `connell` a loop came off beside the tail: the surgeon wound the next throw from the other side, over the first one, for a granny.
+TEST_F(Drawing, AThrowThatDidNotComeIsWoundOnceMoreFromItsSide) {
+  runToSecond(scenes::kFollow);
+  const Vec3 side = memory->knot.side;         // [1]
+  scenes::goTo(scene, scenes::kUnwind);
+  runTo(scenes::kStand);
+  scenes::goTo(scene, scenes::kAgain);         // takes the tail with no loop on the jaws
+  runTo(scenes::kLetTail);
+  EXPECT_EQ(w.state.knot.throws, 1);
+  runTo(scenes::kLiftLong);
+  EXPECT_EQ(memory->knot.current, 1u);
+  EXPECT_EQ(memory->knot.side, side);
+  for (int k = 0; k < 60000 && w.advance(script, *memory); ++k) {}
+  EXPECT_EQ(w.failure, "");
+  EXPECT_EQ(w.state.knot.throws, 2);
+  EXPECT_EQ(locks(w.state.knot), 1);
 }
 
 }  // namespace
