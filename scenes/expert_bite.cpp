@@ -16,6 +16,8 @@ constexpr double kDeeper = 0.8e-3, kShallower = 0.5e-3;        // [m] after a ne
 constexpr int kAttempts = 4;
 constexpr double kPressAngle = 0.2;            // [rad] past the planned entry: still not through, the surgeon presses instead of turning
 constexpr double kPressSpeed = 0.012, kPressMost = 0.010;      // [m/s] [m] along the needle's point
+constexpr double kFelt = 0.1, kSlant = -0.5;   // [N] the wall, by a needle that has slid along it before; [rad] at which it is pressed then: steeper, it goes right through
+constexpr double kPatience = 5.0;              // [s] a place on a wall that trembles is never reached to the last bit
 constexpr double kDrawSpeed = 0.02;            // [m/s] needle out along the arc
 constexpr double kPullSpeed = 0.06;            // [m/s] thread through
 constexpr double kStill = 1.5, kGently = 0.5;  // [s] over two cut edges, until the thread hangs still; [1] of the speeds there, it lies across them
@@ -50,12 +52,21 @@ double gently(const Scene& s, double speed) { return s.action.across ? kGently *
 /// The circle as far as pressing has carried it along.
 Pose onPressedCircle(const Scene& s) { return onCircle(s, s.memory.pressed * s.memory.pressAlong); }
 
-/// Turns the needle a step further, or presses while the wall only gives way.
+/// A needle that slid along the wall had turned flat before the wall withstood it: the next time it is pressed in at a slant.
+bool pressesAtOnce(const Scene& s) {
+  const ExpertState& e = s.memory;
+  return e.slid && e.tipAngle >= kSlant && (e.pressed > 0.0 || s.state.tools[kRight].needleForce.norm() > kFelt);
+}
+
+/// Turns the needle a step further, or presses while the wall only gives way. Once the wall lets it in, it springs back: what was pressed is eased off.
 void turnOrPress(const Scene& s, double most) {
   ExpertState& e = s.memory;
   const double press = e.plan.entryAngle + kPressAngle;
-  if (e.tipAngle >= press && !entered(s.state, e.bite) && e.pressed < kPressMost) {
-    e.pressAlong = sine(press) * e.plan.out + cosine(press) * e.plan.along;
+  const bool in = entered(s.state, e.bite);
+  if (in && e.slid) e.pressed = std::fmax(0.0, e.pressed - kPressSpeed * s.dt);
+  if ((e.tipAngle >= press || pressesAtOnce(s)) && !in && e.pressed < kPressMost) {
+    const double at = std::fmin(e.tipAngle, press);   // [rad]
+    e.pressAlong = sine(at) * e.plan.out + cosine(at) * e.plan.along;
     e.pressed += kPressSpeed * s.dt;
   } else if (e.tipAngle < most) {
     e.tipAngle += kSweepSpeed / s.model.strand.needle.radius * s.dt;
@@ -98,7 +109,7 @@ void exchange(const Scene& s) {
     if (s.state.tools[kRight].holdsNeedle) return goTo(s, kHold);
     const double away = 1.0 + 0.5 * (e.misses % 4);              // [1] missed where something is in the way: shown farther out
     const Pose shown = toolFor(s, kLeft, onCircle(s, away * (kClear * e.plan.out + 5e-3 * Vec3::UnitZ())));
-    if (moveHand(s, kLeft, shown, 0.10) && s.inPhase > 0.3) nextPhase(s);
+    if ((moveHand(s, kLeft, shown, 0.10) && s.inPhase > 0.3) || s.inPhase > kPatience) nextPhase(s);
   } else if (e.phase <= kTakeOverClose) {
     if (!pickUp(s, kRight, gripPose(s.model, s.state.strand.needle, driverCoordinate(s.model)), kTakeOver)) return;
     const bool taken = s.state.tools[kRight].holdsNeedle;
@@ -157,7 +168,8 @@ void drive(const Scene& s, std::string& failure) {
   if (e.phase == kNear) {
     planCircle(s.model, s.state, s.action, e.dip, e.plan);
     e.tipAngle = e.plan.entryAngle - kLeadIn;
-    if (moveHand(s, kRight, toolFor(s, kRight, onCircle(s, kClear * e.plan.out)), 0.10) && s.inPhase > (s.action.across ? kStill : 0.3)) nextPhase(s);
+    const bool near = moveHand(s, kRight, toolFor(s, kRight, onCircle(s, kClear * e.plan.out)), 0.10) && s.inPhase > (s.action.across ? kStill : 0.3);
+    if (near || s.inPhase > kPatience) nextPhase(s);
   } else if (e.phase == kWithdraw) {
     withdraw(s, failure);
   } else if (e.phase == kBackOff) {
@@ -169,7 +181,7 @@ void drive(const Scene& s, std::string& failure) {
     const double most = e.plan.exitAngle + (out ? kLeadOut : kLeadOutMost);
     turnOrPress(s, most);
     moveHand(s, kRight, toolFor(s, kRight, onPressedCircle(s)), 0.05);
-    if (slidAway(s)) again(s, kDeeper, failure);
+    if (slidAway(s)) { e.slid = true; again(s, kDeeper, failure); }
     else if (astray(s)) goTo(s, kWithdraw);
     else if (out && e.tipAngle >= most) { e.goal[kLeft] = above(e.hand[kLeft].command, 0.02); goTo(s, kLetRim); }
     else if (!out && e.tipAngle >= most && s.inPhase > 3.0) {
@@ -244,6 +256,7 @@ bool runBite(const Scene& s, std::string& failure) {
     }
     e.bite = s.state.strand.bitesBegun;
     e.pressed = 0.0;
+    e.slid = false;
     e.attempt = e.misses = 0;
     e.dip = kDip;
     e.planned = true;

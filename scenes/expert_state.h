@@ -41,6 +41,7 @@ struct ExpertState {
   double dip = 0.0;                            // [m] its circle below the places
   int misses = 0;                              // of the needle by the driver, in this bite
   double pressed = 0.0;                        // [m] how far the needle was pushed along its point to get in
+  bool slid = false;                           // along the wall, at this bite
   Vec3 pressAlong = Vec3::UnitX();             // [1]
   Vec3 pullFrom = Vec3::Zero(), pullAlong = Vec3::UnitZ();   // [m], [1]
   double pulled = 0.0;                         // [m]
