@@ -6,6 +6,7 @@
 #include "scenes/stitch_frame.h"
 #include "scenes/tie_phases.h"
 #include "scenes/tie_places.h"
+#include "sim/suture/knot_watch.h"
 
 namespace halsted::scenes {
 namespace {
@@ -13,7 +14,6 @@ namespace {
 constexpr int kMostAdded = 2;                  // throws
 constexpr int kMostRedrawn = 4;                // times that a throw is drawn, or the tail taken for it
 constexpr double kGain = 0.5e-3;               // [m]
-constexpr double kLookAge = 0.1;               // [s] at most since the knot was read
 
 bool begin(const Scene& s, std::string& failure) {
   KnotPlan& k = s.memory.knot;
@@ -51,7 +51,7 @@ bool wantsDrawing(const Scene& s) {
 /// Looks at the throw that is drawn, as long as it takes to let go of it: thread that lies over a knot hides it at times. What was seen before
 /// it was drawn does not count.
 void lookAtThrow(const Scene& s) {
-  if (s.memory.phase == kDrawTight && s.inPhase < kLookAge) return;
+  if (s.memory.phase == kDrawTight && s.inPhase < kKnotInterval) return;
   KnotPlan& k = s.memory.knot;
   const KnotState& seen = s.state.knot;
   k.looked = k.looked || (seen.watched && seen.complete && seen.crossingsLeft == 0);

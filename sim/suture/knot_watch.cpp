@@ -11,11 +11,10 @@ namespace halsted {
 namespace {
 
 static_assert(ThrowList::kMost == KnotState::kMostThrows, "every throw that is read has its place in the state");
-constexpr double kInterval = 0.1;              // [s] between looks
 constexpr double kRoundTool = 3.0;             // [1] of the jaws' radius: thread this near to a tool's axis may go round it
 
 bool due(const Model& m, const State& s) {
-  const auto steps = static_cast<std::uint64_t>(kInterval / m.params.dt + 0.5);
+  const auto steps = static_cast<std::uint64_t>(kKnotInterval / m.params.dt + 0.5);
   return s.step % std::max<std::uint64_t>(1, steps) == 0;
 }
 

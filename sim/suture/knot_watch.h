@@ -7,6 +7,8 @@
 
 namespace halsted {
 
+inline constexpr double kKnotInterval = 0.1;     // [s] between looks: what is read of a knot is no older
+
 void watchKnots(const Model&, State&, StepOutput&);
 
 }  // namespace halsted
