@@ -66,6 +66,7 @@ void beginSuture(const Model& m, State& s) {
   const std::size_t boxes = (m.surface.vertices.size() + VertexBoxes::kVertices - 1) / VertexBoxes::kVertices;
   for (auto* corner : {&s.work.boxes.low, &s.work.boxes.high}) corner->assign(boxes, Vec3::Zero());
   s.work.self.give.resize(m.mesh.vertices.size());
+  s.work.self.nearest.resize(m.mesh.vertices.size());
   if (m.cut.present()) beginCut(m, s);
 }
 

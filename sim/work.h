@@ -85,6 +85,7 @@ struct SelfWork {
   int touching = 0;                            // pairs that may push in this sweep: which, and how they stand
   std::array<std::int32_t, TissueState::kMaxPairs> pair{};
   std::array<PairGap, TissueState::kMaxPairs> gap;
+  std::vector<double> nearest;                 // [m] per particle: how far behind the nearest face, of those in `pair`
   std::vector<double> give;                    // [1] contacts that push each particle, then [m/N] how far it goes when all do
 };
 

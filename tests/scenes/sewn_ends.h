@@ -16,6 +16,7 @@ struct Seam {
   int stitches = 5;
   double spacing = 4e-3, depth = 5e-3;         // [m] along the edge; from the edge
   double gap = 1e-3;                           // [m] between the edges before
+  double press = 1.5e-3;                       // [m] by which drawn thread is shorter than at edges that just meet
   bool assist = false;                         // thread.assist = "knot"
   int spare = 0;                               // thread.spare
 };
@@ -41,11 +42,10 @@ class SewnEnds {
   /// Draws each stitch to the length at which the edges meet and press on each other; the thread between stitches stays loose.
   void tighten() {
     constexpr int kSteps = 1000;
-    constexpr double kPress = 1.5e-3;          // [m]
     StrandState& s = state.strand;
     const int middle = s.holeCount / 2;
     std::vector<double> move(s.holeCount, 0.0);   // [m]
-    const auto across = [&](int i) { return i % 2 == 0 ? seam_.gap + kPress : 0.0; };   // [m] from this hole to the next
+    const auto across = [&](int i) { return i % 2 == 0 ? seam_.gap + seam_.press : 0.0; };   // [m] from this hole to the next
     for (int i = middle + 1; i < s.holeCount; ++i) move[i] = move[i - 1] - across(i - 1);
     for (int i = middle - 1; i >= 0; --i) move[i] = move[i + 1] + across(i);
     for (int k = 0; k < kSteps; ++k) {

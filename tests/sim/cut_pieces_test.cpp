@@ -187,23 +187,20 @@ TEST(CutPieces, MeetAtTheNewFaces) {
     }
     return (high - low) / n;
   };
-  double least = 1.0, hardest = 0.0;           // [m], [N]
+  double least = 1.0, hardest = 0.0, before = rig.freeVelocity().z();   // [m], [m/s^2] away from what is held, [m/s]
   int strange = 0;                             // pairs of tissue that nothing has laid bare
   for (int k = 0; k < 60; ++k) {
     rig.step();
     least = std::min(least, gap());
-    double pushed = 0.0;                       // [N]
+    hardest = std::max(hardest, (before - rig.freeVelocity().z()) / rig.model.params.dt);
+    before = rig.freeVelocity().z();
     const TissueState& t = rig.state.tissue;
-    for (int i = 0; i < t.pairCount; ++i) {
-      pushed += t.pairForce[i];
-      strange += !rig.state.cut->bare[t.pairVertex[i]] || !exposed(rig.model.surface, t.gone, t.pairTriangle[i]);
-    }
-    hardest = std::max(hardest, pushed);
+    for (int i = 0; i < t.pairCount; ++i) strange += !rig.state.cut->bare[t.pairVertex[i]] || !exposed(rig.model.surface, t.gone, t.pairTriangle[i]);
   }
-  std::printf("least gap %.3f mm, hardest push %.3f mN, speed after it %.3f m/s\n", 1e3 * least, 1e3 * hardest, rig.freeVelocity().z());
+  std::printf("least gap %.3f mm, slowed by at most %.1f m/s^2, speed after it %.3f m/s\n", 1e3 * least, hardest, rig.freeVelocity().z());
   EXPECT_GT(least, -0.1e-3);
   EXPECT_LT(least, 0.2e-3);
-  EXPECT_GT(hardest, 10e-3);                   // three times its weight
+  EXPECT_GT(hardest, 3.0 * 1.961);             // of its weight, of which the kerf leaves it a fifth (FallWithTheInertiaThatTheHeaderNames)
   EXPECT_LT(rig.freeVelocity().z(), 0.0);      // turned back
   EXPECT_EQ(strange, 0);
 }
