@@ -15,7 +15,7 @@ namespace {
 const char* const kFontPath = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";   // Debian fonts-dejavu-core
 
 /// A dot a step: filled when done, ringed when current. A long procedure shows the stretch that ends with the current step.
-void drawSteps(const Pen& pen, const std::vector<std::string>& ids, int current) {
+void drawSteps(const Pen& pen, const std::vector<std::string>& ids, int current, float y) {
   constexpr float kFrom = 28, kTo = 384;                   // pixels
   const int steps = static_cast<int>(ids.size()), last = std::clamp(current, 0, std::max(0, steps - 1));
   const auto width = [&](int i) { return 22.0f + pen.width(ids[i].c_str(), 12); };   // pixels
@@ -24,10 +24,10 @@ void drawSteps(const Pen& pen, const std::vector<std::string>& ids, int current)
   for (; first > 0 && width(first - 1) <= room; --first) room -= width(first - 1);
   float x = kFrom;                                         // pixels
   for (int i = first; i < steps && x + width(i) <= kTo; ++i) {
-    const ImVec2 c = pen.at(x, 96);
+    const ImVec2 c = pen.at(x, y + 8);
     if (i < current) pen.list->AddCircleFilled(c, 4.0f * pen.scale, kGood, 12);
     else pen.list->AddCircle(c, 4.0f * pen.scale, i == current ? kText : kDim, 12, 1.4f * pen.scale);
-    pen.text(x + 7, 88, i == current ? kText : kDim, ids[i].c_str(), 12);
+    pen.text(x + 7, y, i == current ? kText : kDim, ids[i].c_str(), 12);
     x += width(i);
   }
 }
@@ -37,17 +37,20 @@ struct Round { int done = 0, wanted = 0; };
 
 void drawProcedure(const Pen& pen, const std::string& title, const std::vector<std::string>& ids,
                    const std::vector<std::string>& instructions, int current, const Round& round) {
+  constexpr float kFrom = 60.0f, kSize = 13.0f, kWrap = 350.0f;        // pixels
   const int steps = static_cast<int>(ids.size());
-  pen.panel(12, 12, 372, 74.0f + (steps ? 22.0f : 0.0f));
+  const bool told = current >= 0 && current < std::min(steps, static_cast<int>(instructions.size()));
+  const float below = std::max(88.0f, told ? kFrom + pen.height(instructions[current].c_str(), kSize, kWrap) + 2.0f : 0.0f);   // pixels
+  pen.panel(12, 12, 372, below - 14.0f + (steps ? 22.0f : 0.0f));
   pen.text(24, 18, kText, title.c_str(), 16);
   if (current >= 0 && current < steps) {
     pen.print(24, 41, kGood, "%d/%d  %s", current + 1, steps, ids[current].c_str());
     if (round.wanted > 0) pen.print(250, 41, kText, "stitches %d of %d", round.done, round.wanted);
-    if (current < static_cast<int>(instructions.size())) pen.text(24, 60, kText, instructions[current].c_str(), 13, 350);
+    if (told) pen.text(24, kFrom, kText, instructions[current].c_str(), kSize, kWrap);
   } else if (steps) {
     pen.text(24, 41, kGood, "Procedure completed");
   }
-  drawSteps(pen, ids, current);
+  drawSteps(pen, ids, current, below);
 }
 
 const char* toolText(ToolKind tool) {

@@ -120,6 +120,37 @@ TEST_F(Picture, ALongMessageGoesOnInTheNextLineBeforeTheTiming) {
   EXPECT_GT(below, 1000);
 }
 
+/// Two frames that differ in the instruction alone, and two that differ in a step's name alone, differ in lines of their own: three lines of an
+/// instruction ran over the list of steps.
+TEST_F(Picture, ALongInstructionDoesNotRunOverTheListOfSteps) {
+  constexpr int kWide = 1280, kHigh = 720;
+  const auto drawn = [&](const char* word, const char* step) {
+    RenderScene told = scene;
+    told.instructions.assign(told.stepIds.size(), "");
+    for (std::string& words : told.instructions)
+      for (int i = 0; i < 30; ++i) words += word;
+    for (std::string& id : told.stepIds) id = "same";
+    told.stepIds.front() = step;               // done, so only the list shows it
+    snapshot.procedureStep = 1;
+    Renderer renderer(told, kWide, kHigh);
+    return renderer.draw(snapshot, HudInput{}, scene.camera);
+  };
+  // b and d are as wide as each other
+  const Frame a = drawn("bdbd ", "take"), b = drawn("dbdb ", "take"), c = drawn("bdbd ", "bite");
+  const auto differs = [&](const Frame& other, int line) {
+    const std::size_t from = 4 * static_cast<std::size_t>(kWide) * line, to = from + 4 * kWide;
+    return !std::equal(a.rgba.begin() + from, a.rgba.begin() + to, other.rgba.begin() + from);
+  };
+  int told = 0, listed = 0;                    // lines
+  for (int line = 0; line < kHigh; ++line) {
+    told += differs(b, line);
+    listed += differs(c, line);
+    EXPECT_FALSE(differs(b, line) && differs(c, line)) << "line " << line;
+  }
+  EXPECT_GT(told, 20);                         // three lines of letters
+  EXPECT_GT(listed, 5);
+}
+
 TEST_F(Picture, GrowsNoMemoryOnceWarm) {
   Renderer renderer(scene, kWidth, kHeight);
   const auto heldAfter = [&](int frames) {
