@@ -27,7 +27,7 @@ struct Answer {
 /// Where tissue has no material: all that is missing is made good and carried on. Two sweeps a frame leave no time for less.
 constexpr Answer kWhole{1.0, 1.0, std::numeric_limits<double>::infinity()};
 
-/// A free piece has nothing but its inertia between it and what it meets: all that the bound allows for (twice), or it stops too late.
+/// Nothing but contact stops a free piece: answered with less it sinks in too far. Below twice the bound a sweep still converges.
 constexpr Answer kFirm{.share = 1.9};
 
 Answer answerOf(const Model& m, const State& s, int vertex, int corner) {
