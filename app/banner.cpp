@@ -11,11 +11,11 @@ constexpr double kShown = 3.0;                 // [s]
 }  // namespace
 
 void Banner::tell(const Event& event, const Model& m, double now) {   // [s]
-  const bool fault = isFault(event.kind);
-  if (now < faultUntil_ && !fault) return;
+  const bool grave = isGrave(event.kind);
+  if (now < graveUntil_ && !grave) return;
   text_ = number("%.1f s: ", static_cast<double>(event.step) * m.params.dt) + eventText(event, m.procedure);
   until_ = now + kShown;
-  if (fault) faultUntil_ = until_;
+  if (grave) graveUntil_ = until_;
 }
 
 const std::string& Banner::at(double now) {    // [s]

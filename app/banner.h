@@ -1,5 +1,5 @@
 #pragma once
-/// The line over the picture: what happened last, for a few seconds. A fault keeps its time; only another fault takes its place.
+/// The line over the picture: what happened last, for a few seconds. A fault, or what has torn, keeps its time; only another takes its place.
 #include <string>
 
 #include "sim/exchange.h"
@@ -14,7 +14,7 @@ class Banner {
 
  private:
   std::string text_;
-  double until_ = 0.0, faultUntil_ = 0.0;      // [s]
+  double until_ = 0.0, graveUntil_ = 0.0;      // [s]
 };
 
 }  // namespace halsted::app

@@ -6,6 +6,8 @@ namespace halsted::app {
 
 bool isFault(EventKind kind) { return kind == EventKind::kFault || kind == EventKind::kStepLate; }
 
+bool isGrave(EventKind kind) { return isFault(kind) || kind == EventKind::kWallPerforated || kind == EventKind::kChannelTorn; }
+
 std::string faultText(EventKind kind, const ProcedureStep& step) {
   return kind == EventKind::kStepLate ? number("took longer than %g s", step.limit) : step.faultName;
 }
@@ -18,6 +20,7 @@ std::string eventText(const Event& event, std::span<const ProcedureStep> procedu
     case EventKind::kThreadRefused: return text + ": " + name(static_cast<ThreadRefusal>(event.index));
     case EventKind::kInstrumentRefused: return text + ": " + name(static_cast<InstrumentRefusal>(event.index));
     case EventKind::kClampRefused: return text + ": " + name(static_cast<ClampRefusal>(event.index));
+    case EventKind::kWallPerforated: return text + number(", %.1f N", event.value);
     default: return text;
   }
 }

@@ -8,10 +8,11 @@
 
 namespace halsted::app {
 
-/// Of a fault its name, of a step that is late its limit, of what the assistant refuses the reason; else what the event is called.
+/// Of a fault its name, of a step that is late its limit, of what the assistant refuses the reason, of a wall that is gone through the force; else what the event is called.
 std::string eventText(const Event&, std::span<const ProcedureStep>);
 
 bool isFault(EventKind);                      // the scene's own, or that a step is late
+bool isGrave(EventKind);                      // a fault, or something of the patient's has torn
 
 /// The same without the word "fault" before it; only where isFault.
 std::string faultText(EventKind, const ProcedureStep&);

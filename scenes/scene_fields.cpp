@@ -37,11 +37,11 @@ void addTissue(SimParams& params, Fields& fields) {
       {"tissue.substeps", &tissue.substeps, 0, 200, ""},
       {"tissue.resistance", &tissue.resistance, 0, 1, ""},
       {"tissue.shape_iterations", &tissue.shapeIterations, 1, 100, ""},
+      {"tissue.perforation_force", &tissue.perforationForce, 0.1, 1e4, "N"},
       {"tissue.bedded", &tissue.bedded, 0, 0, ""},
       {"contact.tool_tissue_friction", &contact.toolTissueFriction, 0, 2, ""},
       {"contact.thread_tissue_friction", &contact.threadTissueFriction, 0, 2, ""},
       {"contact.thread_tool_friction", &contact.threadToolFriction, 0, 2, ""},
-      {"contact.tissue_tissue_friction", &contact.tissueTissueFriction, 0, 2, ""},
   });
 }
 

@@ -36,6 +36,7 @@ const char* name(EventKind kind) {
     case EventKind::kClampHandedOver: return "clamp handed over";
     case EventKind::kClampRefused: return "clamp not taken over";
     case EventKind::kClampReleased: return "assistant's clamp let go";
+    case EventKind::kWallPerforated: return "wall perforated by the instrument";
   }
   return "unknown event";
 }

@@ -71,7 +71,8 @@ enum class EventKind : std::uint8_t {
   kStepLate,                                 // index: procedure step that takes longer than its limit: a fault, too
   kClampHandedOver,                          // index: how many are left
   kClampRefused,                             // index: ClampRefusal, why the assistant does not take it
-  kClampReleased                             // index: which of those that stand; value: what it held [N]
+  kClampReleased,                            // index: which of those that stand; value: what it held [N]
+  kWallPerforated                            // index: how many times now; value: what it pushed with [N]
 };
 const char* name(EventKind);
 

@@ -149,7 +149,7 @@ template <class V> void visitMembers(TiedStitches& object, FieldWalk<V>& walk) {
 HALSTED_FIELDS(ThreadSupply, left, handed, refusal, bitesBefore, fullThicknessBefore, tearsBefore)
 HALSTED_FIELDS(TissueGrasp, count, triangle, weight, local, force)
 HALSTED_FIELDS(ToolState, device, proxy, lag, jaw, closed, ratchet, force, holdsNeedle, needleCoordinate, needleInTool, needleForce, threadCoordinate,
-               threadForce, strandForce, grasp, contactCount, contactTriangle, contactWeight,
+               threadForce, strandForce, grasp, through, contactCount, contactTriangle, contactWeight,
                contactNormal, contactForce, nearCount, nearTriangle)
 HALSTED_FIELDS(InstrumentState, second, refusal)
 HALSTED_FIELDS(StandingClamp, hand, second, jaw, held, pose, grasp)
@@ -163,7 +163,8 @@ HALSTED_FIELDS(Strokes, direction, extreme, lastTurn, count, counted, amplitude,
 HALSTED_FIELDS(NeedlingMetrics, entered, left, entryOffset, angle, deepest, depthError, enteredAt, reachedAt, leftAt, peakForce, peakPull, peakGrasp,
                peakTorque, peakWithdrawal, lifts, twirls, turned, lastTurned)
 HALSTED_FIELDS(CutMetrics, share, errorMean, errorWorst, energy, overshoot, time, freeVolume, burnt, freePieces, taken, crumbs, current)
-HALSTED_FIELDS(MetricsState, hands, bites, biteCount, lastExit, acrossOpening, tears, peakStretch, peakTension, openingArea, restOpeningArea, seam, assistedKnots,
+HALSTED_FIELDS(DamageMetrics, forceTime, peakPressure, dose, injured)
+HALSTED_FIELDS(MetricsState, hands, bites, biteCount, lastExit, acrossOpening, tears, perforations, damage, peakStretch, peakTension, openingArea, restOpeningArea, seam, assistedKnots,
                cut, needling)
 HALSTED_FIELDS(LayerState, phase, crossing, since, normal, rest, now)
 HALSTED_FIELDS(ShaftFriction, held, slid, force, drag)
@@ -172,7 +173,7 @@ HALSTED_FIELDS(Winding, angle, turned, length, torque, grasp)
 HALSTED_FIELDS(NeedlingState, step, skinUnit, fingerUnit, contact, outward, entry, axis, layers, depth, pressed, fingerDepth, fingerPlace,
                fingerNormal, needleTurn, friction, cut, winding, inside)
 template <class V> void visitMembers(StepWork&, V&) {}   // scratch is not part of the state's value
-HALSTED_FIELDS(State, step, random, tissue, strand, threadContacts, knot, assist, stitches, supply, cut, tools, instruments, clamps, procedure, metrics, needling, work)
+HALSTED_FIELDS(State, step, random, tissue, strand, threadContacts, knot, assist, stitches, supply, cut, tools, instruments, clamps, procedure, metrics, bruise, needling, work)
 
 #undef HALSTED_FIELDS
 

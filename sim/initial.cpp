@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "sim/cutting/pieces.h"
+#include "sim/damage.h"
 #include "sim/needling/needling_scene.h"
 #include "sim/step.h"
 #include "sim/suture/fresh_thread.h"
@@ -67,6 +68,7 @@ void beginSuture(const Model& m, State& s) {
   for (auto* corner : {&s.work.boxes.low, &s.work.boxes.high}) corner->assign(boxes, Vec3::Zero());
   s.work.self.give.resize(m.mesh.vertices.size());
   s.work.self.nearest.resize(m.mesh.vertices.size());
+  beginDamage(m, s);
   if (m.cut.present()) beginCut(m, s);
 }
 

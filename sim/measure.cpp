@@ -6,6 +6,7 @@
 #include "sim/contact/geometry.h"
 #include "sim/cutting/cut_measure.h"
 #include "sim/cutting/edge.h"
+#include "sim/damage.h"
 #include "sim/needling/needling_scene.h"
 #include "sim/suture/fresh_thread.h"
 #include "sim/suture/hole_sides.h"
@@ -184,6 +185,7 @@ void measureSuture(const Model& m, State& s, StepOutput& out) {
   countBites(m, s, out);
   if (s.metrics.seam && s.step % kJoinInterval == 0) s.metrics.seam->join = measureJoin(m, s);
   measureStretch(m, s);
+  measureDamage(m, s);
   MetricsState& metrics = s.metrics;
   metrics.openingArea = enclosedArea(edgeOf(m, s, 0), s.tissue.position);
   metrics.restOpeningArea = m.restOpening;
@@ -207,6 +209,11 @@ void measureSuture(const Model& m, State& s, StepOutput& out) {
     measureSeam(*metrics.seam, last, s.knot.cuts > 0, out);
     set(Quantity::kFullThickness, metrics.seam->fullThickness - before.fullThicknessBefore);
   }
+  const DamageMetrics& damage = metrics.damage;
+  set(Quantity::kPerforations, metrics.perforations);
+  set(Quantity::kForceTime, std::fmax(damage.forceTime[kLeft], damage.forceTime[kRight]));
+  set(Quantity::kPeakPressure, damage.peakPressure[static_cast<int>(Presser::kInstrument)]);
+  set(Quantity::kInjuredArea, damage.injured[static_cast<int>(Presser::kInstrument)]);
   if (metrics.cut) observe(*metrics.cut, out.seen);
   set(Quantity::kPartialThickness, partialBites(m, s.strand));
   if (s.instruments) set(Quantity::kSecondInstruments, s.instruments->second[kLeft] + s.instruments->second[kRight]);

@@ -69,10 +69,24 @@ void addCut(Rows& rows, const CutMetrics& cut) {
   rows.emplace_back("crumbs", cut.crumbs);
 }
 
+/// Of instruments, and of thread and needle (`strand`).
+void addDamage(Rows& rows, const DamageMetrics& d) {
+  rows.emplace_back("force_time_left_n_s", d.forceTime[kLeft]);
+  rows.emplace_back("force_time_right_n_s", d.forceTime[kRight]);
+  const char* const presser[kPressers] = {"instruments", "strand"};
+  for (int p = 0; p < kPressers; ++p) {
+    rows.emplace_back(std::string("peak_pressure_") + presser[p] + "_pa", d.peakPressure[p]);
+    rows.emplace_back(std::string("pressure_dose_") + presser[p] + "_n_s", d.dose[p]);
+    rows.emplace_back(std::string("injured_area_") + presser[p] + "_m2", d.injured[p]);
+  }
+}
+
 void addSuture(Rows& rows, const MetricsState& m) {
   rows.emplace_back("bites", m.biteCount);
   rows.emplace_back("stitches_across_opening", m.acrossOpening);
   rows.emplace_back("tears", m.tears);
+  rows.emplace_back("perforations", m.perforations);
+  addDamage(rows, m.damage);
   addBites(rows, m);
   rows.emplace_back("peak_stretch_1", m.peakStretch);
   rows.emplace_back("peak_tension_n", m.peakTension);

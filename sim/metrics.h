@@ -59,6 +59,16 @@ struct CutMetrics {
   bool current = false;                        // flowed in this step
 };
 
+/// What the wall has borne; sim/damage.h. By instruments, and by thread and needle that lie on it.
+enum class Presser : std::uint8_t { kInstrument, kStrand, kCount };
+inline constexpr int kPressers = static_cast<int>(Presser::kCount);
+struct DamageMetrics {
+  std::array<double, kHands> forceTime{};      // [N s] force of each hand's instrument on the wall, over time
+  std::array<double, kPressers> peakPressure{};   // [Pa] of a cell
+  std::array<double, kPressers> dose{};        // [N s] pressure beyond kTraumaPressure, over area and time
+  std::array<double, kPressers> injured{};     // [m^2] that has borne more than that for kTraumaTime in all
+};
+
 inline constexpr int kMaxBites = 24;
 
 /// Of two ends that are being joined.
@@ -77,6 +87,8 @@ struct MetricsState {
   Vec3 lastExit = Vec3::Zero();                // [m] rest position of the last bite's exit
   std::int32_t acrossOpening = 0;              // bites not adjacent to the last
   std::int32_t tears = 0;
+  std::int32_t perforations = 0;               // of the wall, by instruments
+  DamageMetrics damage;
   double peakStretch = 1.0;                    // [1] largest edge length / rest length on the surface
   double peakTension = 0.0;                    // [N]
   double openingArea = 0.0;                    // [m^2] now

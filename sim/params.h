@@ -26,6 +26,7 @@ struct TissueParams {                          // [tissue]
   int substeps = 0;                            // substeps [1] xpbd, shape_matching; 0 = chosen so that the stiffness is true
   double resistance = 0.65;                    // resistance [1] shape_matching only (paper 003)
   int shapeIterations = 2;                     // shape_iterations [1] shape_matching only
+  double perforationForce = 13.5;              // perforation_force [N] a blunt instrument that pushes harder goes through (a pig's colon; Heijnsdijk 2003)
   bool bedded = false;                         // bedded: what it lies on carries its weight; false: it hangs from what is held in place
 };
 
@@ -33,7 +34,6 @@ struct ContactParams {                         // [contact]
   double toolTissueFriction = 0.2;             // tool_tissue_friction [1] wet steel on serosa (design)
   double threadTissueFriction = 0.15;          // thread_tissue_friction [1] coated thread, physics.md D (design)
   double threadToolFriction = 0.2;             // thread_tool_friction [1] (design)
-  double tissueTissueFriction = 0.05;          // tissue_tissue_friction [1] wet serosa on serosa (design)
 };
 
 struct ThreadParams {                          // [thread]

@@ -12,7 +12,7 @@ constexpr std::array<const char*, kQuantities> kNames = {
     "tip_to_point",  "finger_to_point", "skin_pressed",    "entry_offset",          "needle_depth", "depth_error", "angle_error",
     "layers_punctured", "twirls",       "lifts",           "needle_grasp",          "withdrawal_speed", "needle_out",
     "cut_share_outer", "cut_share_inner", "cut_error", "overshoot", "cut_time", "cut_energy", "current", "specimen_free", "specimen_taken", "tissue_held",
-    "second_instruments"};
+    "perforations", "force_time", "peak_pressure", "injured_area", "second_instruments"};
 static_assert(kNames.back() != nullptr, "every quantity has a name");
 
 bool holds(const Condition& condition, const Observation& seen) {

@@ -69,6 +69,10 @@ enum class Quantity : std::uint8_t {
   kSpecimenFree,           // specimen_free            [1] pieces that hang on nothing, and those carried away
   kSpecimenTaken,          // specimen_taken           [1] pieces carried away
   kTissueHeld,             // tissue_held              [1] hands and standing clamps that hold tissue
+  kPerforations,           // perforations             [1] times that an instrument has gone through the wall
+  kForceTime,              // force_time               [N s] of a hand's instrument on the wall; the larger of both hands'
+  kPeakPressure,           // peak_pressure            [Pa] of an instrument on a cell of the wall, so far
+  kInjuredArea,            // injured_area             [m^2] of the wall that instruments have injured
   kSecondInstruments,      // second_instruments       [1] hands that hold the second instrument laid out for them
   kCount
 };

@@ -41,6 +41,7 @@ struct State {
   std::optional<StandingClamps> clamps;        // where the assistant takes some over
   ProcedureState procedure;
   MetricsState metrics;
+  std::vector<std::array<double, kPressers>> bruise;   // [s] per particle: for how long its cell has borne more than bowel does (sim/damage.h)
   std::optional<NeedlingState> needling;       // of a body that is needled; then tissue and strand are empty
   StepWork work;                               // scratch: not hashed, saved or compared
 };

@@ -17,6 +17,7 @@
 #include "sim/tools/instrument.h"
 #include "sim/tools/load_driver.h"
 #include "sim/tools/local_contact.h"
+#include "sim/tools/perforation.h"
 #include "sim/tools/standing_clamps.h"
 #include "sim/tools/tool_shape.h"
 #include "sim/tools/touch.h"
@@ -138,6 +139,7 @@ void stepSuture(const Model& m, const StepInput& input, State& s, StepOutput& ou
   for (int hand = 0; hand < kHands; ++hand) {
     updateProxy(m, hand, s);
     slipGrasp(m, hand, s, out);
+    settlePerforation(m, hand, s, out);
   }
   settleStandingClamps(m, s, out);
   settleStitches(m, s, out);

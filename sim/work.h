@@ -26,6 +26,8 @@ struct TissueWork {
 struct HoleWork {
   static constexpr int kNeighbours = 3;        // the holes that follow, whose push counts in a hole's bound
   std::array<double, StrandState::kMaxHoles> self{}, bound{};   // [m/N]
+  int aloneCount = 0;
+  std::array<std::int32_t, StrandState::kMaxHoles> alone{};     // those whose bite has no other hole
   std::array<Vec3, StrandState::kMaxHoles> point{};             // [m] the hole in the predicted tissue
   // A hole stays where it is in the tissue: its compliances are read anew only where it has another place than `seen`.
   std::array<TissuePoint, StrandState::kMaxHoles> seen{};
@@ -117,6 +119,12 @@ struct TouchWork {
   std::array<double, kMax * kMax> compliance{};    // [m/N] tissue between points, plus the coupling of their common tool
 };
 
+/// Used by sim/damage.h.
+struct DamageWork {
+  std::vector<std::array<double, 2>> pressure; // [Pa] per particle, of an instrument and of the strand; zero between steps
+  std::vector<std::int32_t> pressed;           // particles whose pressure is not zero
+};
+
 struct StepWork {
   TouchWork touch;
   TissueWork tissue;
@@ -136,6 +144,7 @@ struct StepWork {
   SelfWork self;
   VertexBoxes boxes;
   CutWork cut;
+  DamageWork damage;
 };
 
 }  // namespace halsted

@@ -97,7 +97,7 @@ void printSeries(const StressSeries& series) {
   std::printf("%8s %11s %11s %12s %10s %7s %10s %11s %10s %5s\n", "stitches", "step p50", "step p99", "frame 12 ms", "real time", "solves", "thread",
               "tension", "edges", "torn");
   for (const StressPoint& p : series.points)
-    if (p.stitches % 5 == 0)
+    if (p.stitches == 1 || p.stitches % 5 == 0)
       std::printf("%8d %8.3f ms %8.3f ms %9.2f ms %9.2fx %7.1f %6.2f m/s %9.2f N %7.2f mm %5d\n", p.stitches, p.stepMedian, p.step99,
                   p.stepMedian * kFrame / series.dt, p.stepMedian > 0.0 ? 1e3 * series.dt / p.stepMedian : 0.0, p.iterations, p.threadSpeed, p.tension,
                   1e3 * p.gap, p.torn);

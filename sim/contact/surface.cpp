@@ -160,6 +160,11 @@ SurfaceModel buildSurface(const TetMesh& mesh) {
     list.erase(std::unique(list.begin(), list.end()), list.end());
     if (!triangles[v].empty()) s.vertices.push_back(static_cast<int>(v));
   }
+  s.cell.assign(mesh.vertices.size(), 0.0);
+  for (const auto& t : mesh.surface) {
+    const double area = 0.5 * (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]).norm();   // [m^2]
+    for (const int v : t) s.cell[v] += area / 3.0;
+  }
   flatten(triangles, s.triangleStart, s.triangleOf);
   flatten(neighbours, s.neighbourStart, s.neighbour);
   return s;

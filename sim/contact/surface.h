@@ -18,6 +18,7 @@ struct SurfaceModel {
   std::vector<int> triangleBehind;                 // tet on its other side, -1 outside: it is bare only once that one is gone
   std::vector<int> triangleStart, triangleOf;      // triangles at each vertex (prefix sums, items)
   std::vector<int> neighbourStart, neighbour;      // vertices joined to each vertex by a surface edge
+  std::vector<double> cell;                        // [m^2] per vertex: its third of the boundary's triangles at rest, 0 inside
   std::vector<std::array<int, 4>> tetNeighbour;    // per tet and corner: tet behind the opposite face, -1 outside
 };
 

@@ -11,14 +11,12 @@ namespace {
 
 constexpr double kNeedleFriction = 0.10;       // [1] polished steel in wet tissue, along the arc (design)
 
-/// Length of strand inside the wall at this hole's bite [m].
+/// Length of strand inside the wall at this hole's bite: the holes of a bite follow each other.  [m]
 double insideLength(const StrandState& s, const Hole& h) {
   double low = h.coordinate, high = h.coordinate;
-  for (int i = 0; i < s.holeCount; ++i) {
-    if (s.holes[i].bite != h.bite) continue;
-    low = std::fmin(low, s.holes[i].coordinate);
-    high = std::fmax(high, s.holes[i].coordinate);
-  }
+  const Hole *const first = s.holes.data(), *const last = first + s.holeCount - 1;
+  for (const Hole* k = &h; k != first && (k - 1)->bite == h.bite; --k) low = std::fmin(low, (k - 1)->coordinate);
+  for (const Hole* k = &h; k != last && (k + 1)->bite == h.bite; ++k) high = std::fmax(high, (k + 1)->coordinate);
   return high - low;
 }
 

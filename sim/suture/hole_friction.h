@@ -1,5 +1,5 @@
 #pragma once
-/// What holds thread or needle back at a hole. Used by holes.cpp only. Physics thread; no heap.
+/// What holds thread or needle back at a hole, one of the strand's own. Used by holes.cpp only. Physics thread; no heap.
 #include <optional>
 
 #include "sim/model.h"

@@ -1,5 +1,6 @@
 #include "sim/suture/holes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/lanes.h"
@@ -162,6 +163,13 @@ Vec3 holePoint(const Model& m, const Hole& h, std::span<const Vec3> x) { return 
 
 namespace {
 
+/// Holes of which the bite has no other.
+void listAlone(const StrandState& s, HoleWork& w) {
+  w.aloneCount = 0;
+  for (int i = 0; i < s.holeCount; ++i)
+    if ((i == 0 || s.holes[i - 1].bite != s.holes[i].bite) && (i + 1 == s.holeCount || s.holes[i + 1].bite != s.holes[i].bite)) w.alone[w.aloneCount++] = i;
+}
+
 /// An end of the thread is in the wall, on its way through: one hole is left of that bite, and the thread from it to its end is inside.
 bool insideWithItsEnd(const Model& m, const State& state, int i, double coordinate, double margin) {   // [m]
   const Hole& h = state.strand.holes[i];
@@ -174,12 +182,13 @@ bool insideWithItsEnd(const Model& m, const State& state, int i, double coordina
 
 bool insideWall(const Model& m, const State& state, double coordinate, double margin) {
   const StrandState& s = state.strand;
-  for (int i = 0; i < s.holeCount; ++i) {
-    const bool alone = (i == 0 || s.holes[i - 1].bite != s.holes[i].bite) && (i + 1 == s.holeCount || s.holes[i + 1].bite != s.holes[i].bite);
-    if (alone && insideWithItsEnd(m, state, i, coordinate, margin)) return true;
-    if (i + 1 == s.holeCount || s.holes[i].bite != s.holes[i + 1].bite) continue;
-    if (coordinate > s.holes[i].coordinate - margin && coordinate < s.holes[i + 1].coordinate + margin) return true;
-  }
+  const HoleWork& w = state.work.holes;
+  for (int k = 0; k < w.aloneCount; ++k)
+    if (insideWithItsEnd(m, state, w.alone[k], coordinate, margin)) return true;
+  const auto end = s.holes.begin() + s.holeCount;
+  const auto next = std::partition_point(s.holes.begin(), end, [&](const Hole& h) { return h.coordinate + margin <= coordinate; });
+  for (auto hole = next == s.holes.begin() ? next : next - 1; hole != end && hole->coordinate - margin < coordinate; ++hole)
+    if (hole + 1 != end && hole->bite == (hole + 1)->bite && (hole + 1)->coordinate + margin > coordinate) return true;
   return false;
 }
 
@@ -191,6 +200,7 @@ void linkHoles(const Model& m, State& state) {
   StrandState& s = state.strand;
   HoleWork& w = state.work.holes;
   holeCompliances(m, s, w);
+  listAlone(s, w);
   if (sumsExchange(m, state)) {                // drawn tight on the tissue as a knot is, it presses on it all along
     gatherExchange(m, s, state.work.exchange);
     for (int i = 0; i < s.holeCount; ++i) w.bound[i] += movedByContacts(m, vertexOf(m, s.holes[i]), state.work.exchange);

@@ -23,7 +23,7 @@ bool openEntry(const Model&, int triangle, const std::array<double, 3>& weight, 
 void tearHolesInGone(const Model&, State&, StepOutput&);
 
 /// True when a coordinate lies inside the wall: between the holes of one bite, behind a tip that is still inside, or between a hole and an end
-/// of the thread that is on its way through.
+/// of the thread that is on its way through. Within a step, after `linkHoles`.
 bool insideWall(const Model&, const State&, double coordinate, double margin);   // [m]
 
 /// Adds force (on the strand: negated) of every hole to the tissue's nodal forces.

@@ -83,6 +83,11 @@ class Substeps {
     const int hand = solidHand(k);
     solid.owner = hand;
     if (hand >= 0) moveSolid(state_.work.threadContacts.border.tool[hand].offset - offset_[hand], solid);
+    if (hand >= 0 && state_.tools[hand].through) {               // it would take thread along through the wall
+      solid.freeFrom = 0.0;
+      solid.freeTo = tipCoordinate(model_.strand);
+      return solid;
+    }
     const double held = hand >= 0 ? state_.tools[hand].threadCoordinate : -1.0;   // [m]
     if (hand >= 0 && k % kSolidsPerTool < 2 && state_.tools[hand].holdsNeedle) {   // closed on it: its thread between the jaws is not crushed
       solid.freeFrom = needlePieceFrom(model_, state_);

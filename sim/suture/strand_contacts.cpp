@@ -212,8 +212,9 @@ void touchSolid(const Model& m, const StrandSample& x, const SolidMotion& motion
   offerTouch(m, x, t, state, fresh);
 }
 
-/// A sample that the jaws hold, or that lies within their grip, is carried by the grasp instead.
-bool heldBy(const Model& m, const StrandState&, const ToolState& tool, const StrandSample& x, double reach) {
+/// A sample that the jaws hold, or that lies within their grip, is carried by the grasp instead. A tool that has gone through the wall meets none.
+bool isPassed(const Model& m, const ToolState& tool, const StrandSample& x, double reach) {
+  if (tool.through) return true;               // it would take the strand along through the wall
   if (tool.holdsNeedle && x.index >= m.strand.nodes) return true;
   return tool.threadCoordinate >= 0.0 && std::fabs(x.coordinate - tool.threadCoordinate) < reach;
 }
@@ -247,7 +248,7 @@ void linkContacts(const Model& m, const SolidMotion& motion, State& state) {
     if (m.params.thread.knots && i < m.strand.nodes) continue;   // thread meets tools within its own solve (knotting.h)
     for (int solid = 0; solid < kSolids; ++solid) {
       const int hand = solidHand(solid);
-      if (hand >= 0 && heldBy(m, state.strand, state.tools[hand], x, jawReach)) continue;
+      if (hand >= 0 && isPassed(m, state.tools[hand], x, jawReach)) continue;
       touchSolid(m, x, motion, solid, state, fresh);
     }
   }

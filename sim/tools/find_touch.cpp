@@ -194,7 +194,7 @@ void findContacts(const Model& m, int hand, const Pose& before, State& s) {
   const int first = w.count;
   const double back = std::fmin(kMostBack, t.force.norm() / m.params.tools[hand].couplingStiffness);   // [m]
   const auto capsules = toolCapsules(toolOf(m, s, hand), t.jaw);
-  for (int c = 0; c < kSolidsPerTool; ++c) {
+  for (int c = 0; c < kSolidsPerTool && !t.through; ++c) {
     const CapsuleShape capsule = placed(capsules[c], before);
     for (int i = 0; i < t.nearCount; ++i) {
       if (isHeld(m, t.grasp, t.nearTriangle[i])) continue;
@@ -215,7 +215,7 @@ int findAhead(const Model& m, int hand, const State& s, double margin, std::span
   const ToolState& t = s.tools[hand];
   const auto capsules = toolCapsules(toolOf(m, s, hand), t.jaw);
   int count = 0;
-  for (bool more = true; more && count < static_cast<int>(found.size());) {
+  for (bool more = !t.through; more && count < static_cast<int>(found.size());) {
     TouchPoint best;
     best.gap = margin;
     more = false;

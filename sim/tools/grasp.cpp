@@ -93,11 +93,6 @@ void takeBack(const Model& m, const TissueGrasp& grasp, int g, State& s) {
   for (int k = 0; k < 3; ++k) s.work.change[v[k]] -= grasp.weight[g][k] * grasp.force[g];
 }
 
-/// What pulled at the tool with this force has come free. The coupling has no mass and would be at the hand at once, past all that is on the way.
-void comeFree(const Model& m, int hand, const Vec3& force, ToolState& t) {   // [N]
-  t.lag += force / m.params.tools[hand].couplingStiffness;
-}
-
 /// The tool follows its hand.
 void catchUp(double dt, ToolState& t) {        // [s]
   const double far = t.lag.norm(), most = kBackSpeed * dt;       // [m]
@@ -172,6 +167,9 @@ Vec3 givingWay(const ToolParams& tool, const ToolState& t, const Vec3& wanted) {
 }
 
 }  // namespace
+
+// The coupling has no mass and would be at the hand at once, past all that is on the way.
+void comeFree(const Model& m, int hand, const Vec3& force, ToolState& t) { t.lag += force / m.params.tools[hand].couplingStiffness; }   // [N]
 
 void moveTool(const Model& m, int hand, const ToolSample& sample, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];

@@ -9,8 +9,6 @@
 namespace halsted {
 namespace {
 
-const ToolParams& toolOf(const Model& m, const StandingClamp& c) { return c.second == 1 ? m.params.second[c.hand] : m.params.tools[c.hand]; }
-
 ClampRefusal refusal(const Model& m, const State& s, int hand) {
   if (toolOf(m, s, hand).kind != ToolKind::kAllis) return ClampRefusal::kNoClamp;
   if (s.tools[hand].grasp.count == 0) return ClampRefusal::kHoldsNothing;
@@ -70,7 +68,7 @@ double couplingOf(const Model& m, const State& s, int holder) {
 void findStandingGrasps(const Model& m, State& s) {
   for (int k = 0; s.clamps && k < s.clamps->count; ++k) {
     const StandingClamp& c = s.clamps->clamp[k];
-    appendGrasp(m, kHands + k, c.pose, toolOf(m, c).gripForce, c.grasp, s);
+    appendGrasp(m, kHands + k, c.pose, clampOf(m, c).gripForce, c.grasp, s);
   }
 }
 
@@ -79,7 +77,7 @@ void settleStandingClamps(const Model& m, State& s, StepOutput& out) {
     StandingClamp& c = s.clamps->clamp[k];
     const Vec3 pull = graspForce(c.grasp);     // [N]
     c.pose.position = c.held.position + pull / couplingOf(m, s, kHands + k);
-    slideThroughJaws(m, toolOf(m, c), c.pose, c.grasp, s);
+    slideThroughJaws(m, clampOf(m, c), c.pose, c.grasp, s);
     if (c.grasp.count == 0 || mayLetGo(m, s, c)) takeOff(m, k, pull.norm(), s, out);
   }
 }

@@ -15,6 +15,9 @@ void handOverClamp(const Model&, int hand, State&, StepOutput&);
 /// Is this triangle, or a neighbour that shares a corner with it, between the jaws of a standing clamp?
 bool inStandingClamp(const Model&, const State&, int triangle);
 
+/// The instrument that a standing clamp is.
+inline const ToolParams& clampOf(const Model& m, const StandingClamp& c) { return c.second == 1 ? m.params.second[c.hand] : m.params.tools[c.hand]; }
+
 /// What a holder grips: `holder` is a hand, or kHands + the number of a standing clamp.
 TissueGrasp& graspOf(State&, int holder);
 

@@ -36,6 +36,7 @@ struct ToolState {
   Vec3 strandForce = Vec3::Zero();             // [N] on the tool, thread and needle lying against it
   TissueGrasp grasp;                           // tissue in the jaws
   // Tissue against the tool.
+  bool through = false;                        // it has gone through the wall: sim/tools/perforation.h
   std::int32_t contactCount = 0;
   std::array<std::int32_t, kMaxContacts> contactTriangle{};
   std::array<std::array<double, 3>, kMaxContacts> contactWeight{};   // [1]

@@ -79,6 +79,15 @@ void addGrasp(const Model& m, const TissueGrasp& grasp, double sign, std::vector
   for (int g = 0; g < grasp.count; ++g) addNodal(m, grasp.triangle[g], grasp.weight[g], sign * grasp.force[g], nodal);
 }
 
+void clearContacts(int from, ToolState& t) {
+  t.contactCount = from;
+  for (int k = from; k < ToolState::kMaxContacts; ++k) {
+    t.contactTriangle[k] = -1;
+    t.contactWeight[k] = {};
+    t.contactNormal[k] = t.contactForce[k] = Vec3::Zero();
+  }
+}
+
 /// Replaces the tool's stored contacts by the ones just solved.
 void store(const Model& m, State& s) {
   std::array<int, kHands + kMostClamps> grasp{};
@@ -96,15 +105,7 @@ void store(const Model& m, State& s) {
     t.contactNormal[k] = p.normal;
     t.contactForce[k] = p.force;
   }
-  for (int hand = 0; hand < kHands; ++hand) {
-    ToolState& t = s.tools[hand];
-    t.contactCount = contact[hand];
-    for (int k = t.contactCount; k < ToolState::kMaxContacts; ++k) {
-      t.contactTriangle[k] = -1;
-      t.contactWeight[k] = {};
-      t.contactNormal[k] = t.contactForce[k] = Vec3::Zero();
-    }
-  }
+  for (int hand = 0; hand < kHands; ++hand) clearContacts(contact[hand], s.tools[hand]);
 }
 
 }  // namespace
@@ -135,11 +136,22 @@ void gatherTouchForces(const Model& m, const State& s, std::vector<Vec3>& nodal)
   for (int k = 0; s.clamps && k < s.clamps->count; ++k) addGrasp(m, s.clamps->clamp[k].grasp, 1.0, nodal);
 }
 
+void dropContacts(const Model& m, int hand, State& s) {
+  ToolState& t = s.tools[hand];
+  for (int i = 0; i < t.contactCount; ++i) addNodal(m, t.contactTriangle[i], t.contactWeight[i], -t.contactForce[i], s.work.change);
+  clearContacts(0, t);
+}
+
 double touchCompliance(const Model& m, const TouchPoint& p) { return tissueCompliance(m, p, p); }
 
-Vec3 touchForce(const ToolState& t) {
+Vec3 contactForce(const ToolState& t) {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < t.contactCount; ++i) sum -= t.contactForce[i];
+  return sum;
+}
+
+Vec3 touchForce(const ToolState& t) {
+  Vec3 sum = contactForce(t);
   for (int g = 0; g < t.grasp.count; ++g) sum -= t.grasp.force[g];
   return sum;
 }

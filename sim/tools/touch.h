@@ -13,10 +13,14 @@ void solveTouch(const Model&, const std::array<Pose, kHands>& before, State&);
 
 void gatherTouchForces(const Model&, const State&, std::vector<Vec3>& nodal);
 
+/// The tool lets go of what it touches, but not of what its jaws hold: those forces are no longer the tissue's.
+void dropContacts(const Model&, int hand, State&);
+
 /// What the tissue gives at one point when it is pushed there for one step [m/N].
 double touchCompliance(const Model&, const TouchPoint&);
 
-/// Force of the tissue on a tool, contacts and grasps together [N].
+/// Force of the tissue on a tool [N]: where it touches, and with what its jaws hold.
+Vec3 contactForce(const ToolState&);
 Vec3 touchForce(const ToolState&);
 
 /// Condensed stiffness of what the tool touches, as seen by a rigid translation of the tool [N/m].

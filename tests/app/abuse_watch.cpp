@@ -7,6 +7,7 @@
 #include "sim/contact/geometry.h"
 #include "sim/contact/surface.h"
 #include "sim/fields.h"
+#include "sim/suture/strand_sample.h"
 #include "sim/tools/tool_shape.h"
 
 namespace halsted::app {
@@ -39,7 +40,8 @@ bool ledByHole(const StrandState& s, double coordinate) {        // [m]
 double depthInTissue(const Model& m, const State& s, const Vec3& p) {   // [m], negative outside
   const SurfaceNow now{s.tissue.position, s.tissue.gone};
   int near = m.surface.vertices.front();
-  return std::fmax(-kReach, -nearestTriangle(m.surface, now, p, near).distance);
+  const double distance = nearestTriangle(m.surface, now, p, near).distance;   // [m]
+  return std::fabs(distance) < kReach ? -distance : -kReach;     // no wall is so thick: which side of its nearest corner it lies on says nothing
 }
 
 double depthInTools(const Model& m, const State& s, const Vec3& p, double coordinate) {   // [m]
@@ -55,7 +57,7 @@ double depthInTools(const Model& m, const State& s, const Vec3& p, double coordi
   return deepest;
 }
 
-/// Where a segment goes through a face of the tissue: its layer (0 serosa, 1 mucosa, 2 edge), -1 none.
+/// The face of the tissue that a segment goes through, -1 none.
 int faceCrossed(const Model& m, const State& s, const Vec3& a, const Vec3& b) {
   const Vec3 way = b - a;
   for (std::size_t f = 0; f < m.surface.triangles.size(); ++f) {
@@ -67,12 +69,12 @@ int faceCrossed(const Model& m, const State& s, const Vec3& a, const Vec3& b) {
     if (det == 0.0) continue;
     const Vec3 q = (a - p).cross(e1);
     const double u = (a - p).dot(h) / det, w = way.dot(q) / det, t = e2.dot(q) / det;   // [1]
-    if (u >= 0.0 && w >= 0.0 && u + w <= 1.0 && t >= 0.0 && t < 1.0) return f < m.mesh.triangleLayer.size() ? m.mesh.triangleLayer[f] : 2;
+    if (u >= 0.0 && w >= 0.0 && u + w <= 1.0 && t >= 0.0 && t < 1.0) return static_cast<int>(f);
   }
   return -1;
 }
 
-/// In by one side of a wall and out by the other, no hole on the way, and deep in between: cut off at a corner is not through.
+/// In by one side of a wall and out by the other side of the same one, no hole on the way, and deep in between: cut off at a corner is not through.
 int timesThrough(const Model& m, const State& s) {
   int times = 0, in = -1;                      // the face by which it went in
   double deepest = 0.0;                        // [m] since
@@ -82,7 +84,7 @@ int timesThrough(const Model& m, const State& s) {
     const int face = faceCrossed(m, s, a, b);
     if (in >= 0) deepest = std::max({deepest, depthInTissue(m, s, a), depthInTissue(m, s, 0.5 * (a + b))});
     if (face < 0) continue;
-    times += in >= 0 && in + face == 1 && deepest > kDeep;       // serosa and mucosa, in either order
+    times += in >= 0 && oppositeFaces(m, in, face) && deepest > kDeep;
     in = in < 0 ? face : -1;
     deepest = 0.0;
   }

@@ -96,6 +96,16 @@ TEST(Banner, KeepsAFaultWhileLessHappens) {
   EXPECT_EQ(banner.at(20.0), "");
 }
 
+TEST(Banner, KeepsWhatHasTornToo) {
+  const Model m = oneStep();
+  Banner banner;
+  banner.tell({2000, EventKind::kWallPerforated, kLeft, 1, 14.2}, m, 10.0);
+  banner.tell({2001, EventKind::kNeedleReleased, kRight, -1, 0.0}, m, 10.1);
+  EXPECT_THAT(banner.at(10.2), HasSubstr("wall perforated by the instrument, 14.2 N"));
+  banner.tell({2002, EventKind::kChannelTorn, -1, 0, 6.5}, m, 10.3);
+  EXPECT_THAT(banner.at(10.4), HasSubstr(name(EventKind::kChannelTorn)));
+}
+
 TEST(EventText, SaysWhichFaultAndWhy) {
   const Model m = oneStep();
   EXPECT_EQ(eventText({1, EventKind::kFault, -1, 0, 0.0}, m.procedure), "fault: torn out");

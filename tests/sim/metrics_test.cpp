@@ -24,8 +24,8 @@ TEST(Metrics, EveryNameIsUniqueAndEveryValueFiniteFromTheFirstStep) {
 }
 
 TEST(Metrics, QuantitiesWithAUnitEndInIt) {
-  const std::set<std::string> counts = {"bites", "stitches_across_opening", "tears"};
-  const std::set<std::string> units = {"s", "m", "m2", "n", "deg", "1"};
+  const std::set<std::string> counts = {"bites", "stitches_across_opening", "tears", "perforations"};
+  const std::set<std::string> units = {"s", "m", "m2", "n", "pa", "deg", "1"};
   for (const auto& [name, value] : summarise(MetricsState{}, 0.0))
     EXPECT_TRUE(counts.contains(name) || units.contains(name.substr(name.rfind('_') + 1))) << name;
 }

@@ -1,0 +1,76 @@
+#include "sim/tools/perforation.h"
+
+#include <cmath>
+
+#include "sim/contact/geometry.h"
+#include "sim/suture/holes.h"
+#include "sim/tools/grasp.h"
+#include "sim/tools/instrument.h"
+#include "sim/tools/tool_shape.h"
+#include "sim/tools/touch.h"
+
+namespace halsted {
+namespace {
+
+constexpr double kPatch = 3e-3;                // [m] what pushes farther off pushes on other wall
+constexpr double kTurned = -0.25;              // [1] of its rest volume: the wall below a face is inside out, and not by the give of a step alone
+
+/// The hardest push of a tool on one place of the wall.  [N]
+double hardestPush(const Model& m, const State& s, const ToolState& t) {
+  double hardest = 0.0;                        // [N]
+  for (int i = 0; i < t.contactCount; ++i) {
+    const Vec3 here = pointOn(m.surface, s.tissue.position, t.contactTriangle[i], t.contactWeight[i]);
+    double push = 0.0;                         // [N]
+    for (int j = 0; j < t.contactCount; ++j) {
+      const Vec3 there = pointOn(m.surface, s.tissue.position, t.contactTriangle[j], t.contactWeight[j]);
+      if ((there - here).squaredNorm() < kPatch * kPatch) push += t.contactForce[j].dot(t.contactNormal[j]);
+    }
+    hardest = std::fmax(hardest, push);
+  }
+  return hardest;
+}
+
+/// Volume of what lies below a face over what it is at rest.  [1]
+double volumeShare(const Model& m, const State& s, int triangle) {
+  const int tet = m.surface.triangleTet[triangle];
+  const auto& v = m.tissue.tets[tet];
+  const auto& x = s.tissue.position;
+  const double now = (x[v[1]] - x[v[0]]).cross(x[v[2]] - x[v[0]]).dot(x[v[3]] - x[v[0]]) / 6.0;   // [m^3]
+  return now / m.tissue.restVolume[tet];
+}
+
+bool liesInTissue(const Model& m, int hand, const State& s) {
+  const ToolState& t = s.tools[hand];
+  for (const CapsuleShape& shape : toolCapsules(toolOf(m, s, hand), t.jaw)) {
+    const CapsuleShape c = placed(shape, t.proxy);
+    for (int i = 0; i < t.nearCount; ++i) {
+      const auto& v = m.surface.triangles[t.nearTriangle[i]];
+      const auto& x = s.tissue.position;
+      if (closestSegmentTriangle(c.a, c.b, x[v[0]], x[v[1]], x[v[2]]).squaredDistance < c.radius * c.radius) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void settlePerforation(const Model& m, int hand, State& s, StepOutput& out) {
+  ToolState& t = s.tools[hand];
+  if (t.through) {
+    t.through = liesInTissue(m, hand, s);
+    return;
+  }
+  if (t.contactCount == 0) return;
+  const double push = hardestPush(m, s, t);    // [N]
+  bool turned = false;
+  for (int i = 0; i < t.contactCount; ++i) turned = turned || volumeShare(m, s, t.contactTriangle[i]) < kTurned;
+  if (push <= m.params.tissue.perforationForce && !turned) return;
+  t.through = true;
+  ++s.metrics.perforations;
+  comeFree(m, hand, contactForce(t), t);
+  dropContacts(m, hand, s);
+  out.contact[hand].puncture = true;           // the wall gives way: the force may jump
+  pushEvent(out, {s.step, EventKind::kWallPerforated, hand, s.metrics.perforations, push});
+}
+
+}  // namespace halsted
