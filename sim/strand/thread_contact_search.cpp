@@ -21,6 +21,7 @@ void boundPieces(const StrandModel& m, const StrandState& s, ThreadContactWork& 
     const double c = (s.position[p + 1] - centre).squaredNorm();                               // [m^2]
     w.pieceCentre[p] = centre;
     w.pieceRadius[p] = std::sqrt(std::max(a, std::max(b, c)));
+    w.sampled[p].filled = false;
   }
   for (std::size_t chunk = 0; chunk < w.chunkCentre.size(); ++chunk) {
     const int begin = static_cast<int>(chunk) * kChunk, end = std::min(pieces, begin + kChunk);
@@ -32,9 +33,8 @@ void boundPieces(const StrandModel& m, const StrandState& s, ThreadContactWork& 
   }
 }
 
-double relativeSpeed(const StrandState& s, int p, int q) {
-  return (curvePoint(s.velocity, curveWeights(p, 0.5)) - curvePoint(s.velocity, curveWeights(q, 0.5))).norm();
-}
+/// Of the middles of two pieces that are filled.  [m/s]
+double relativeSpeed(const ThreadContactWork& w, int p, int q) { return (w.sampled[p].velocity - w.sampled[q].velocity).norm(); }
 
 class Search {
  public:
@@ -60,22 +60,34 @@ class Search {
         if (ends(p) || ends(q)) continue;
         const double sum = work_.pieceRadius[p] + work_.pieceRadius[q] + reach_ + 2.4 * dt_ * work_.fastest;   // [m]
         if ((work_.pieceCentre[p] - work_.pieceCentre[q]).squaredNorm() > sum * sum) continue;
-        const double reach = reach_ + 1.2 * dt_ * relativeSpeed(state_, p, q);   // [m]
+        fill(p);
+        fill(q);
+        const double reach = reach_ + 1.2 * dt_ * relativeSpeed(work_, p, q);   // [m]
         if (!samples(p, q, reach) || !samples(q, p, reach)) return false;
       }
     return true;
   }
   /// A piece that runs across a break.
   bool ends(int piece) const { return cut_[piece] || cut_[piece + 1]; }
+  void fill(int p) {
+    SampledPiece& piece = work_.sampled[p];
+    if (piece.filled) return;
+    piece.filled = true;
+    piece.velocity = curvePoint(state_.velocity, curveWeights(p, 0.5));
+    const int count = work_.samples[p];
+    for (int k = 0; k < count; ++k) piece.point[k] = curvePoint(state_.position, curveWeights(p, (k + 0.5) / count));
+  }
   bool samples(int own, int other, double reach) {   // [m]
     const double sum = work_.pieceRadius[own] + work_.pieceRadius[other] + reach;   // [m]
     if ((work_.pieceCentre[own] - work_.pieceCentre[other]).squaredNorm() > sum * sum) return true;
     const int count = work_.samples[own];
+    const PieceShape shape = pieceShape(state_.position, other);
+    const Vec3 centre = work_.pieceCentre[other];
     const double within = work_.pieceRadius[other] + reach + kRounding;   // [m]
     for (int k = 0; k < count; ++k) {
-      const Vec3 point = curvePoint(state_.position, curveWeights(own, (k + 0.5) / count));
-      if ((point - work_.pieceCentre[other]).squaredNorm() > within * within) continue;
-      const double place = nearestOnPiece(state_.position, other, point);   // [1]
+      const Vec3& point = work_.sampled[own].point[k];
+      if ((point - centre).squaredNorm() > within * within) continue;
+      const double place = nearestOn(shape, point);              // [1]
       if (place < 0.0) continue;
       const double squared = (point - curvePoint(state_.position, curveWeights(other, place))).squaredNorm();   // [m^2]
       if (squared > reach * reach) continue;
@@ -109,8 +121,8 @@ bool searchNear(const StrandModel& m, const StrandState& s, double dt, ThreadTou
   return complete;
 }
 
-bool mayTouch(const StrandState& s, const NearPair& pair, double dt, const ThreadContactWork& w) {
-  return pair.gap < 1.01 * (w.allowance[pair.piece] + w.allowance[pair.partner]) + 1.2 * dt * relativeSpeed(s, pair.piece, pair.partner);
+bool mayTouch(const NearPair& pair, double dt, const ThreadContactWork& w) {
+  return pair.gap < 1.01 * (w.allowance[pair.piece] + w.allowance[pair.partner]) + 1.2 * dt * relativeSpeed(w, pair.piece, pair.partner);
 }
 
 }  // namespace halsted

@@ -13,6 +13,6 @@ inline constexpr double kRounding = 1e-9;      // [m] by which a bound is wider,
 bool searchNear(const StrandModel&, const StrandState&, double dt, ThreadTouch&);   // [s]
 
 /// Whether a pair could touch when both pieces stray as far as they may.
-bool mayTouch(const StrandState&, const NearPair&, double dt, const ThreadContactWork&);   // [s]
+bool mayTouch(const NearPair&, double dt, const ThreadContactWork&);   // [s]; of a pair that the last search found
 
 }  // namespace halsted

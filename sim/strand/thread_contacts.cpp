@@ -181,6 +181,7 @@ ThreadContactWork prepareContactWork(const StrandModel& m, const ThreadContactPa
   w.nextRecord.assign(ThreadContactState::kMaxContacts, -1);
   w.tension.assign(m.nodes - 1, 0.0);
   w.allowance.assign(pieces, 0.0);
+  w.sampled.resize(pieces);
   w.near.reserve(kMostNear);
   return w;
 }
@@ -194,7 +195,7 @@ void findThreadContacts(const StrandModel& m, const StrandState& s, double dt, T
   w.coupledStep = tied;
   if (!searchNear(m, s, dt, touch)) ++touch.state.dropped;
   for (const NearPair& near : w.near)
-    if (mayTouch(s, near, dt, w)) keepPair(m, s, near, touch);
+    if (mayTouch(near, dt, w)) keepPair(m, s, near, touch);
   findSolids(m, s, dt, touch);
   if (!w.coupledStep || w.coupled.closeStructure()) return;
   // A tangle beyond the solver's room: thread passes thread in this step, and it is counted.

@@ -19,6 +19,9 @@
 
 namespace halsted {
 
+inline constexpr int kFewestSamples = 4, kMostSamples = 24;   // per piece, by its length
+inline constexpr int kPiecesPerChunk = 8;      // in the search
+
 struct ThreadContactParams {
   double friction = 0.30;                      // [1] thread on thread, braided; 0.20 monofilament (physics.md D, design)
   double stiffness = 5e8;                      // [N/m^2] lateral modulus of a braid, about 0.5 GPa over the width (design)
@@ -77,6 +80,13 @@ struct MovedContact {
 /// A sample and the place on another piece that is nearest to it.
 struct NearPair { int piece, sample, partner; double place, gap; };   // [1], [m] between the surfaces
 
+/// A piece of the curve as the search sees it, worked out where it is near another.
+struct SampledPiece {
+  bool filled = false;                         // in this search
+  Vec3 velocity = Vec3::Zero();                // [m/s] of its middle
+  std::array<Vec3, kMostSamples> point{};      // [m]
+};
+
 struct ThreadContactWork {
   ThreadContactParams params;
   std::span<const ThreadSolid> solids;         // set by the caller before each step
@@ -93,6 +103,7 @@ struct ThreadContactWork {
   std::vector<double> tension;                 // [N] at the start of the step
   std::vector<double> allowance;               // [m] per piece: how far it may stray in this step (strand_trust.h)
   std::vector<NearPair> near;                  // what the search found
+  std::vector<SampledPiece> sampled;           // per piece
   double fastest = 0.0;                        // [m/s] of any node
   bool coupledStep = false;                    // thread touches thread in this step
 };
@@ -102,9 +113,6 @@ struct ThreadTouch {
   ThreadContactState& state;
   ThreadContactWork& work;
 };
-
-inline constexpr int kFewestSamples = 4, kMostSamples = 24;   // per piece, by its length
-inline constexpr int kPiecesPerChunk = 8;      // in the search
 
 ThreadContactState restContacts(const StrandModel&);
 ThreadContactWork prepareContactWork(const StrandModel&, const ThreadContactParams&);

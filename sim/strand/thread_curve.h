@@ -20,12 +20,22 @@ template <class Nodes> Vec3 curvePoint(const Nodes& nodes, const CurveWeights& w
   return w.weight[0] * nodes[w.node] + w.weight[1] * nodes[w.node + 1] + w.weight[2] * nodes[w.node + 2];
 }
 
+/// Of a piece what `nearestOn` needs, whatever the point.
+struct PieceShape {
+  Vec3 start, along, turn;                     // [m] where it begins; twice its slope there; what that changes by on its way
+  double c1 = 0.0, c2 = 0.0, c3 = 0.0;         // [m^2]
+};
+
+template <class Nodes> PieceShape pieceShape(const Nodes& nodes, int piece) {
+  const Vec3 e0 = nodes[piece + 1] - nodes[piece], e1 = nodes[piece + 2] - nodes[piece + 1], c = e1 - e0;
+  return {0.5 * (nodes[piece] + nodes[piece + 1]), e0, c, e0.dot(e0), 1.5 * e0.dot(c), 0.5 * c.dot(c)};
+}
+
 /// The place [1] on a piece where its distance from `point` has a minimum; negative when it has none there. Neighbouring pieces share
 /// the derivative at their joint, so every minimum of the whole curve is found once.
-template <class Nodes> double nearestOnPiece(const Nodes& nodes, int piece, const Vec3& point) {
-  const Vec3 e0 = nodes[piece + 1] - nodes[piece], e1 = nodes[piece + 2] - nodes[piece + 1];
-  const Vec3 q = 0.5 * (nodes[piece] + nodes[piece + 1]) - point, c = e1 - e0;
-  const double c0 = q.dot(e0), c1 = q.dot(c) + e0.dot(e0), c2 = 1.5 * e0.dot(c), c3 = 0.5 * c.dot(c);   // [m^2]
+inline double nearestOn(const PieceShape& piece, const Vec3& point) {   // [m]
+  const Vec3 q = piece.start - point;
+  const double c0 = q.dot(piece.along), c1 = q.dot(piece.turn) + piece.c1, c2 = piece.c2, c3 = piece.c3;   // [m^2]
   if (c0 > 0.0 || c0 + c1 + c2 + c3 <= 0.0) return -1.0;
   double low = 0.0, high = 1.0, v = -c0 / (c1 + c2 + c3);   // [1]
   for (int k = 0; k < 64; ++k) {                 // Newton, halving where it leaves the bracket; four steps as a rule
@@ -38,5 +48,7 @@ template <class Nodes> double nearestOnPiece(const Nodes& nodes, int piece, cons
   }
   return v;
 }
+
+template <class Nodes> double nearestOnPiece(const Nodes& nodes, int piece, const Vec3& point) { return nearestOn(pieceShape(nodes, piece), point); }
 
 }  // namespace halsted

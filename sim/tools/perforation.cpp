@@ -12,20 +12,20 @@
 namespace halsted {
 namespace {
 
-constexpr double kPatch = 3e-3;                // [m] what pushes farther off pushes on other wall
+constexpr double kPatch = 4.5e-3;              // [m] about a place: jaws on both sides of a wall push there, what is farther off pushes on other wall
 constexpr double kTurned = -0.25;              // [1] of its rest volume: the wall below a face is inside out, and not by the give of a step alone
 
-/// The hardest push of a tool on one place of the wall.  [N]
+/// The hardest push of a tool on one place of the wall: what two jaws squeeze between them cancels out.  [N]
 double hardestPush(const Model& m, const State& s, const ToolState& t) {
   double hardest = 0.0;                        // [N]
   for (int i = 0; i < t.contactCount; ++i) {
     const Vec3 here = pointOn(m.surface, s.tissue.position, t.contactTriangle[i], t.contactWeight[i]);
-    double push = 0.0;                         // [N]
+    Vec3 push = Vec3::Zero();                  // [N]
     for (int j = 0; j < t.contactCount; ++j) {
       const Vec3 there = pointOn(m.surface, s.tissue.position, t.contactTriangle[j], t.contactWeight[j]);
-      if ((there - here).squaredNorm() < kPatch * kPatch) push += t.contactForce[j].dot(t.contactNormal[j]);
+      if ((there - here).squaredNorm() < kPatch * kPatch) push += t.contactForce[j];
     }
-    hardest = std::fmax(hardest, push);
+    hardest = std::fmax(hardest, push.norm());
   }
   return hardest;
 }

@@ -1,6 +1,7 @@
 /// A blunt instrument pressed on the wall until it goes through, and drawn out again.
 #include <gtest/gtest.h>
 
+#include "sim/tools/perforation.h"
 #include "tests/sim/step_rig.h"
 
 namespace halsted {
@@ -81,6 +82,29 @@ TEST(Perforation, TheInstrumentMeetsNothingUntilItIsOutAgain) {
   p.moveTo(-0.5e-3);
   EXPECT_GT(p.tool().force.norm(), 0.2) << "and now it touches";
   EXPECT_EQ(p.perforated, 1);
+}
+
+/// Contacts of 14 N each on one place, on both sides of the wall or on one: only what pushes the same way goes through.
+TEST(Perforation, WhatJawsSqueezeIsNotPushedThrough) {
+  for (const bool squeezed : {true, false}) {
+    StepRig rig(wallParams(), kNeedleAway);
+    ToolState& t = rig.state.tools[kLeft];
+    for (int side = 0; side < 2; ++side) {
+      const bool far = side == 1 && squeezed;
+      const double x = far ? 0.0 : kWallX;     // [m]
+      const auto& triangles = rig.model.surface.triangles;
+      for (std::size_t f = 0; f < triangles.size(); ++f) {
+        const Vec3 middle = pointOn(rig.model.surface, rig.state.tissue.position, static_cast<int>(f), {1.0 / 3, 1.0 / 3, 1.0 / 3});
+        if ((middle - Vec3(x, 12e-3, 11e-3)).norm() < 1.2e-3 && std::fabs(middle.x() - x) < 1e-9) t.contactTriangle[side] = static_cast<std::int32_t>(f);
+      }
+      t.contactWeight[side] = {1.0 / 3, 1.0 / 3, 1.0 / 3};
+      t.contactNormal[side] = far ? Vec3(Vec3::UnitX()) : Vec3(-Vec3::UnitX());
+      t.contactForce[side] = 14.0 * t.contactNormal[side];
+    }
+    t.contactCount = 2;
+    settlePerforation(rig.model, kLeft, rig.state, rig.out);
+    EXPECT_EQ(rig.state.metrics.perforations, squeezed ? 0 : 1);
+  }
 }
 
 /// What the wall was pushed with comes free, and no more: the coupling must not throw the tool through.
