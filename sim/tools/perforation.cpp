@@ -13,7 +13,8 @@ namespace halsted {
 namespace {
 
 constexpr double kPatch = 4.5e-3;              // [m] about a place: jaws on both sides of a wall push there, what is farther off pushes on other wall
-constexpr double kTurned = -0.25;              // [1] of its rest volume: the wall below a face is inside out, and not by the give of a step alone
+constexpr double kTurned = -0.25;              // [1] of its rest volume: the wall below a face is inside out, and not by the give of a step alone,
+constexpr double kPushing = 1.5;               // [N] by a tool that is pushed, not by jaws that close (design)
 
 /// The hardest push of a tool on one place of the wall: what two jaws squeeze between them cancels out.  [N]
 double hardestPush(const Model& m, const State& s, const ToolState& t) {
@@ -61,10 +62,10 @@ void settlePerforation(const Model& m, int hand, State& s, StepOutput& out) {
     return;
   }
   if (t.contactCount == 0) return;
-  const double push = hardestPush(m, s, t);    // [N]
+  const double push = std::fmin(hardestPush(m, s, t), contactForce(t).norm());   // [N] a tool that wall holds from all sides pushes through none
   bool turned = false;
   for (int i = 0; i < t.contactCount; ++i) turned = turned || volumeShare(m, s, t.contactTriangle[i]) < kTurned;
-  if (push <= m.params.tissue.perforationForce && !turned) return;
+  if (push <= m.params.tissue.perforationForce && !(turned && push > kPushing)) return;
   t.through = true;
   ++s.metrics.perforations;
   comeFree(m, hand, contactForce(t), t);
