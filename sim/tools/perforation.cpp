@@ -40,6 +40,12 @@ double volumeShare(const Model& m, const State& s, int triangle) {
   return now / m.tissue.restVolume[tet];
 }
 
+bool turnsWall(const Model& m, const State& s, const ToolState& t) {
+  for (int i = 0; i < t.contactCount; ++i)
+    if (volumeShare(m, s, t.contactTriangle[i]) < kTurned) return true;
+  return false;
+}
+
 bool liesInTissue(const Model& m, int hand, const State& s) {
   const ToolState& t = s.tools[hand];
   for (const CapsuleShape& shape : toolCapsules(toolOf(m, s, hand), t.jaw)) {
@@ -61,11 +67,10 @@ void settlePerforation(const Model& m, int hand, State& s, StepOutput& out) {
     t.through = liesInTissue(m, hand, s);
     return;
   }
-  if (t.contactCount == 0) return;
-  const double push = std::fmin(hardestPush(m, s, t), contactForce(t).norm());   // [N] a tool that wall holds from all sides pushes through none
-  bool turned = false;
-  for (int i = 0; i < t.contactCount; ++i) turned = turned || volumeShare(m, s, t.contactTriangle[i]) < kTurned;
-  if (push <= m.params.tissue.perforationForce && !(turned && push > kPushing)) return;
+  const double strength = m.params.tissue.perforationForce, net = contactForce(t).norm();   // [N]
+  if (net <= std::fmin(strength, kPushing)) return;
+  const double push = std::fmin(hardestPush(m, s, t), net);      // [N] a tool that wall holds from all sides pushes through none
+  if (push <= strength && !(push > kPushing && turnsWall(m, s, t))) return;
   t.through = true;
   ++s.metrics.perforations;
   comeFree(m, hand, contactForce(t), t);
