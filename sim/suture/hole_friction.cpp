@@ -12,18 +12,18 @@ namespace {
 constexpr double kNeedleFriction = 0.10;       // [1] polished steel in wet tissue, along the arc (design)
 
 /// Length of strand inside the wall at this hole's bite: the holes of a bite follow each other.  [m]
-double insideLength(const StrandState& s, const Hole& h) {
-  double low = h.coordinate, high = h.coordinate;
-  const Hole *const first = s.holes.data(), *const last = first + s.holeCount - 1;
-  for (const Hole* k = &h; k != first && (k - 1)->bite == h.bite; --k) low = std::fmin(low, (k - 1)->coordinate);
-  for (const Hole* k = &h; k != last && (k + 1)->bite == h.bite; ++k) high = std::fmax(high, (k + 1)->coordinate);
-  return high - low;
+double insideLength(const StrandState& s, int hole) {
+  int first = hole, last = hole;
+  while (first > 0 && s.holes[first - 1].bite == s.holes[hole].bite) --first;
+  while (last + 1 < s.holeCount && s.holes[last + 1].bite == s.holes[hole].bite) ++last;
+  return std::fabs(s.holes[last].coordinate - s.holes[first].coordinate);
 }
 
 }  // namespace
 
-double frictionBound(const Model& m, const StrandState& s, const Hole& h) {
-  const double inside = 0.5 * insideLength(s, h);              // [m] each of the two ends carries half
+double frictionBound(const Model& m, const StrandState& s, int hole) {
+  const Hole& h = s.holes[hole];
+  const double inside = 0.5 * insideLength(s, hole);            // [m] each of the two ends carries half
   if (onNeedle(m, h)) {
     const Vec3 t = strandTangent(m.strand, s, h.coordinate);
     const double lateral = (h.force - h.force.dot(t) * t).norm();
@@ -36,7 +36,8 @@ double frictionBound(const Model& m, const StrandState& s, const Hole& h) {
   return std::fmin(before, after) * excess + m.params.thread.channelDrag * inside;
 }
 
-std::optional<double> creepRound(const Model& m, const StrandState& s, const Hole& h) {
+std::optional<double> creepRound(const Model& m, const StrandState& s, int hole) {
+  const Hole& h = s.holes[hole];
   constexpr double kSharp = 0.3;               // [1] cosine of the turn
   constexpr double kCreep = 5e-5;              // [m/N] a step: some of what tissue, the softest part of the loop, gives under that force
   if (onNeedle(m, h)) return std::nullopt;
@@ -44,7 +45,7 @@ std::optional<double> creepRound(const Model& m, const StrandState& s, const Hol
   const Vec3 in = strandTangent(m.strand, s, h.coordinate - reach), out = strandTangent(m.strand, s, h.coordinate + reach);
   if (in.dot(out) > kSharp) return std::nullopt;
   const double drawn = strandTension(m.strand, s, h.coordinate, 1) - strandTension(m.strand, s, h.coordinate, -1);   // [N] toward the needle
-  const double excess = magnitude(drawn) - frictionBound(m, s, h);   // [N]
+  const double excess = magnitude(drawn) - frictionBound(m, s, hole);   // [N]
   const double creep = excess > 0.0 ? std::fmin(kMostSlide, kCreep * excess) : 0.0;   // [m]
   return drawn > 0.0 ? -creep : creep;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// What holds thread or needle back at a hole, one of the strand's own. Used by holes.cpp only. Physics thread; no heap.
+/// What holds thread or needle back at a hole of the strand, by its number. Used by holes.cpp only. Physics thread; no heap.
 #include <optional>
 
 #include "sim/model.h"
@@ -12,10 +12,10 @@ inline constexpr double kMostSlide = 1e-3;     // [m] a step: 1 m/s of thread th
 inline bool onNeedle(const Model& m, const Hole& h) { return h.coordinate > m.strand.length; }
 
 /// Largest friction along the strand at a hole: capstan on the thread (Euler-Eytelwein), Coulomb on the needle, plus drag.  [N]
-double frictionBound(const Model&, const StrandState&, const Hole&);
+double frictionBound(const Model&, const StrandState&, int hole);
 
 /// Turned back sharply at a hole, as a crossed tail is, thread's mean direction there leads nowhere, and it would stick however hard one leg
 /// pulls: it creeps round by what the tauter leg pulls more than the other and friction hold. None where it is not turned so.  [m] a step
-std::optional<double> creepRound(const Model&, const StrandState&, const Hole&);
+std::optional<double> creepRound(const Model&, const StrandState&, int hole);
 
 }  // namespace halsted

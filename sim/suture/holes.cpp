@@ -24,7 +24,8 @@ constexpr int kManyHoles = 18;
 constexpr double kManyShare = 0.3;             // [1]
 constexpr double kWithdrawForce = 0.02;        // [N] drag on a tip drawn back along its own cut (design)
 
-StrandLink holeLink(const Model& m, const StrandState& s, const Hole& h, const Vec3& point, double bound) {
+StrandLink holeLink(const Model& m, const StrandState& s, int hole, const Vec3& point, double bound) {
+  const Hole& h = s.holes[hole];
   StrandLink link;
   link.coordinate = h.coordinate;
   link.anchor = point;
@@ -33,7 +34,7 @@ StrandLink holeLink(const Model& m, const StrandState& s, const Hole& h, const V
   if (h.slip == 0) return link;
   const Vec3 t = strandTangent(m.strand, s, h.coordinate);     // sliding: only friction along the strand
   const Vec3 lateral = h.force - h.force.dot(t) * t;
-  link.force0 = lateral + h.slip * frictionBound(m, s, h) * t;
+  link.force0 = lateral + h.slip * frictionBound(m, s, hole) * t;
   link.stiffness -= t * t.transpose() / bound;
   return link;
 }
@@ -43,7 +44,7 @@ Vec3 settleFriction(const Model& m, State& state, int i, const Vec3& solved) {
   StrandState& s = state.strand;
   Hole& h = s.holes[i];
   const HoleWork& w = state.work.holes;
-  if (const std::optional<double> creep = sumsExchange(m, state) ? creepRound(m, s, h) : std::nullopt) {
+  if (const std::optional<double> creep = sumsExchange(m, state) ? creepRound(m, s, i) : std::nullopt) {
     h.slip = 0;
     if (*creep != 0.0 && !blocked(m, state, i, *creep)) h.coordinate = withinReach(m, state, i, h.coordinate + *creep);
     return solved;
@@ -51,7 +52,7 @@ Vec3 settleFriction(const Model& m, State& state, int i, const Vec3& solved) {
   const Vec3 t = strandTangent(m.strand, s, h.coordinate);
   const double along = solved.dot(t);
   if (h.slip == 0) {
-    const double bound = frictionBound(m, s, h);
+    const double bound = frictionBound(m, s, i);
     if (magnitude(along) <= bound || blocked(m, state, i, along)) return solved;
     h.slip = along > 0.0 ? 1 : -1;
     return solved - (along - h.slip * bound) * t;
@@ -207,7 +208,7 @@ void linkHoles(const Model& m, State& state) {
   }
   for (int i = 0; i < s.holeCount; ++i) {
     w.point[i] = holePoint(m, s.holes[i], state.tissue.position);
-    addLink(state.work.strand, holeLink(m, s, s.holes[i], w.point[i], w.bound[i]));
+    addLink(state.work.strand, holeLink(m, s, i, w.point[i], w.bound[i]));
   }
 }
 

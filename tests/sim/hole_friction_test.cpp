@@ -12,9 +12,10 @@ namespace {
 
 /// A hole between nodes 20 and 21, `turn` between the two legs.
 struct Turned : ThreadedWall {
-  Hole hole;
   explicit Turned(double turn) : ThreadedWall(kNeedleAway) {   // [rad]
     const double segment = model.strand.segment;               // [m]
+    state.strand.holeCount = 1;
+    Hole& hole = state.strand.holes[0];
     hole.coordinate = 20.5 * segment;
     hole.tet = 0;
     for (int i = 0; i < model.strand.nodes; ++i) {
@@ -24,7 +25,7 @@ struct Turned : ThreadedWall {
   }
   std::optional<double> creep(double before, double after) {   // [N]
     for (int i = 0; i + 1 < model.strand.nodes; ++i) state.strand.tension[i] = i <= 20 ? before : after;
-    return creepRound(model, state.strand, hole);              // [m]
+    return creepRound(model, state.strand, 0);                 // [m]
   }
 };
 
