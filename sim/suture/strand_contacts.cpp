@@ -242,7 +242,7 @@ void linkContacts(const Model& m, const SolidMotion& motion, State& state) {
   for (int i = 0; i < sampleCount(m.strand); ++i) {
     const StrandSample x = sampleAt(m, state.strand, i);
     const SurfacePoint near = nearTissue(m, x, state);
-    if (x.thread) touchBetween(m, i, before, near, state, fresh);
+    if (x.thread && i > 0) touchBetween(m, i, before, near, state, fresh);
     before = near;
     touchTissue(m, x, near, state, fresh);
     if (m.params.thread.knots && i < m.strand.nodes) continue;   // thread meets tools within its own solve (knotting.h)
