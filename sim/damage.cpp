@@ -56,7 +56,7 @@ void gatherPushes(const Model& m, State& s) {
   }
 }
 
-/// What one cell bears in this step.
+/// What one cell bears in this step. Needle and thread are one presser: what they wear is a strip as wide as the thread.
 void wear(const Model& m, int vertex, Presser by, double pressure, State& s) {   // [Pa]
   DamageMetrics& d = s.metrics.damage;
   const int k = index(by);
