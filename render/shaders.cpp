@@ -75,13 +75,14 @@ layout(location = 2) in vec2 aUv;
 layout(location = 3) in vec4 aColor;      // reflectance, sky reaching it
 layout(location = 4) in vec4 aSurface;    // vessels, bumps, gloss, 1 in the lumen
 layout(location = 5) in float aCharred;   // 0 where tissue cannot be cut
+layout(location = 6) in float aBruised;   // 1 where it is injured
 uniform mat4 uViewProjection, uShadowMatrix;
 uniform float uOpen;                      // 1 at rest, 0 when the lumen is shut
 out vec3 vPosition, vNormal, vShadow;
 out vec2 vUv;
 out vec4 vColor;
 out vec3 vSurface;
-out float vCharred;
+out float vCharred, vBruised;
 void main() {
   vPosition = aPosition;
   vNormal = aNormal;
@@ -90,6 +91,7 @@ void main() {
   vColor = vec4(aColor.rgb * aColor.rgb, aColor.a * mix(1.0, 0.35 + 0.65 * uOpen, aSurface.a));
   vSurface = aSurface.rgb;
   vCharred = aCharred;
+  vBruised = aBruised;
   gl_Position = uViewProjection * vec4(aPosition, 1.0);
 })";
 
@@ -210,7 +212,7 @@ in vec3 vPosition, vNormal, vShadow;
 in vec2 vUv;
 in vec4 vColor;
 in vec3 vSurface;
-in float vCharred;
+in float vCharred, vBruised;
 uniform sampler2D uSurface, uReflection;
 uniform sampler2DShadow uShadow;
 uniform vec3 uEye;
@@ -226,6 +228,9 @@ void main() {
   float lit = texture(uShadow, vShadow);
   vec3 albedo = vColor.rgb * (0.80 + 0.40 * detail.r);
   albedo = mix(albedo, vec3(0.34, 0.022, 0.030), detail.g * vSurface.r);
+  float hurt = vBruised * (0.6 + 0.8 * detail.r);                      // blood in the wall: red where it was pressed too hard, livid where it is injured
+  albedo = mix(albedo, vec3(0.40, 0.030, 0.040), 0.75 * smoothstep(0.0, 0.2, hurt));
+  albedo = mix(albedo, vec3(0.13, 0.014, 0.045), 0.85 * smoothstep(0.5, 1.2, hurt));
   float burnt = clamp(vCharred * (0.75 + 0.5 * detail.b), 0.0, 1.0);   // blanched, then brown, then black and dry
   albedo = mix(albedo, vec3(0.50, 0.33, 0.22), smoothstep(0.03, 0.25, burnt));
   albedo = mix(albedo, vec3(0.13, 0.055, 0.028), smoothstep(0.25, 0.55, burnt));

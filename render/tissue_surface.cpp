@@ -116,7 +116,9 @@ Look lookOf(const SkinCorner& corner, const RestPoint& at, const RestShape& shap
 
 TissueSurface::TissueSurface(const RenderScene& scene, std::size_t triangleBudget)
     : surface_(scene.surface.begin(), scene.surface.begin() + static_cast<std::ptrdiff_t>(boundaryTriangles(scene))),
-      skin_(buildSkin(surface_, scene.triangleLayer, scene.surfaceUv, scene.tissueRest.size(), triangleBudget)), pose_(skin_), mesh_{makeArray(), makeBuffer(), {}, 0}, coarse_{makeArray(), makeBuffer(), {}, 0}, cut_(scene), looks_(makeBuffer()), stream_(6 * skin_.corners.size()) {
+      skin_(buildSkin(surface_, scene.triangleLayer, scene.surfaceUv, scene.tissueRest.size(), triangleBudget)), pose_(skin_),
+      mesh_{makeArray(), makeBuffer(), {}, 0}, coarse_{makeArray(), makeBuffer(), {}, 0}, cut_(scene), bruiseBuffer_(makeBuffer()),
+      bruiseOfParticle_(scene.tissueRest.size(), 0.0f), bruiseStream_(skin_.corners.size(), 0.0f), looks_(makeBuffer()), stream_(6 * skin_.corners.size()) {
   pose_.update(skin_, scene.tissueRest);
   const RestShape rest = restShape(scene);
   openingAtRest_ = std::numbers::pi * rest.radius * rest.radius;
@@ -132,6 +134,8 @@ TissueSurface::TissueSurface(const RenderScene& scene, std::size_t triangleBudge
   describe(looks_, sizeof(Look), {{2, 2, offsetof(Look, uv)}, {3, 4, offsetof(Look, color), GL_UNSIGNED_BYTE},
            {4, 4, offsetof(Look, surface), GL_UNSIGNED_BYTE}});
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(looks.size() * sizeof(Look)), looks.data(), GL_STATIC_DRAW);
+  describe(bruiseBuffer_, sizeof(float), {{6, 1, 0}});
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bruiseStream_.size() * sizeof(float)), bruiseStream_.data(), GL_STREAM_DRAW);
   std::vector<std::uint32_t> indices;
   for (const auto& t : skin_.triangles) indices.insert(indices.end(), t.begin(), t.end());
   uploadIndices(mesh_, indices);
@@ -178,6 +182,16 @@ void TissueSurface::streamChar() {
   glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(charStream_.size() * sizeof(float)), charStream_.data());
 }
 
+void TissueSurface::streamBruises(const RenderSnapshot& snapshot, bool anew) {
+  if (snapshot.bruised.size() != bruiseOfParticle_.size()) return;
+  const auto same = [](double now, float before) { return static_cast<float>(now) == before; };
+  if (!anew && std::equal(snapshot.bruised.begin(), snapshot.bruised.end(), bruiseOfParticle_.begin(), same)) return;
+  std::transform(snapshot.bruised.begin(), snapshot.bruised.end(), bruiseOfParticle_.begin(), [](double b) { return static_cast<float>(b); });
+  for (std::size_t i = 0; i < skin_.corners.size(); ++i) bruiseStream_[i] = pose_.at(skin_, skin_.corners[i].point, bruiseOfParticle_);
+  glBindBuffer(GL_ARRAY_BUFFER, bruiseBuffer_);
+  glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bruiseStream_.size() * sizeof(float)), bruiseStream_.data());
+}
+
 void TissueSurface::update(const RenderSnapshot& snapshot) {
   bool changed = false;
   const bool canBeCut = cut_.update(snapshot, changed);
@@ -190,6 +204,7 @@ void TissueSurface::update(const RenderSnapshot& snapshot) {
   mesh_.stream(stream_.data(), stream_.size() * sizeof(float));
   coarse_.stream(pose_.particles().data(), pose_.particles().size() * sizeof(float));
   if (canBeCut) streamChar();
+  streamBruises(snapshot, canBeCut && changed);
 }
 
 void TissueSurface::draw() const {

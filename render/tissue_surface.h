@@ -1,5 +1,5 @@
 #pragma once
-/// The organ as it is drawn: the skin over the particles with the colours of serosa, mucosa and cut rim, and what a cut has opened.
+/// The organ as it is drawn: the skin over the particles with the colours of serosa, mucosa and cut rim, what has bruised it, and what a cut has opened.
 #include "render/cut_surface.h"
 #include "render/gpu_mesh.h"
 #include "render/skin.h"
@@ -29,6 +29,9 @@ class TissueSurface {
   void streamChar();
   Buffer charBuffer_;
   std::vector<float> charStream_;                         // [1] per corner
+  void streamBruises(const RenderSnapshot&, bool anew);   // anew: the skin has torn since
+  Buffer bruiseBuffer_;
+  std::vector<float> bruiseOfParticle_, bruiseStream_;    // [1] per particle, per corner
   Buffer looks_;                                          // what never changes: colour, texture place, gloss
   std::vector<float> stream_;                             // [m], [1] position and normal per corner
   double openingAtRest_ = 0.0;                            // [m^2]

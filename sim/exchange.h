@@ -136,6 +136,7 @@ struct RenderSnapshot {
   double openingArea = 0.0;                  // [m^2]
   double threadTension = 0.0;                // [N] largest along the thread
   NeedlingView needling;                     // of a layered body
+  std::vector<double> bruised;               // [1] one per tissue particle: for how long an instrument has pressed too hard there, over what injures (sim/damage.h)
   // Where tissue can be cut, else empty. Per triangle of RenderScene::surface:
   std::vector<std::uint8_t> exposed;         // 1 = bare; 0 = inside the tissue, or gone
   std::vector<double> charred;               // [1] heat of the tet it belongs to, over what takes that away

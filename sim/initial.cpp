@@ -78,6 +78,7 @@ void prepareSutureSnapshot(const Model& m, RenderSnapshot& r) {
     r.charred.assign(m.surface.triangles.size(), 0.0);
   }
   r.tissue.resize(m.mesh.vertices.size());
+  r.bruised.assign(m.mesh.vertices.size(), 0.0);
   r.thread.resize(m.strand.nodes);
   r.twist.assign(m.strand.nodes, 0.0);
   r.punctures.resize(StrandState::kMaxHoles);
@@ -111,6 +112,7 @@ void fillCut(const Model& m, const TissueState& t, RenderSnapshot& r) {
 }
 
 void fillSutureSnapshot(const Model& m, const State& s, RenderSnapshot& r) {
+  for (std::size_t i = 0; i < r.bruised.size(); ++i) r.bruised[i] = s.bruise[i][static_cast<int>(Presser::kInstrument)] / kTraumaTime;
   if (s.cut) fillCut(m, s.tissue, r);
   std::copy(s.tissue.position.begin(), s.tissue.position.end(), r.tissue.begin());
   std::copy(s.strand.position.begin(), s.strand.position.end(), r.thread.begin());

@@ -110,6 +110,19 @@ TEST(Damage, JawsPullOverTheirPads) {
 }
 
 /// In the step itself: a tool that rests on the wall with a force adds that force's time, and pressure that its contacts add up to.
+/// The picture is told of what instruments did: 1 where the wall is injured.
+TEST(Damage, IsInTheSnapshot) {
+  Borne b;
+  RenderSnapshot picture;
+  prepareSnapshot(b.model, picture);
+  b.press(1.5 * kTraumaPressure * b.cell());
+  b.bear(4.0);
+  fillSnapshot(b.model, b.state, picture);
+  ASSERT_EQ(picture.bruised.size(), picture.tissue.size());
+  EXPECT_NEAR(picture.bruised[b.corner()], 0.4, 1e-9);
+  EXPECT_NEAR(std::accumulate(picture.bruised.begin(), picture.bruised.end(), 0.0), 0.4, 1e-9);
+}
+
 TEST(Damage, IsMeasuredInTheStep) {
   StepRig rig(wallParams(), kNeedleAway, frame(Vec3(kWallX + 1.2e-3, 12e-3, 11e-3), Vec3::UnitY(), Vec3::UnitZ()));
   rig.input.tools[kLeft].jaw = 0.0;

@@ -1,0 +1,64 @@
+// Tissue that has borne too much: it is seen where it was pressed, and nowhere else.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "render/renderer.h"
+#include "tests/render/golden_picture.h"
+#include "tests/render/synthetic_scene.h"
+
+namespace halsted::render {
+namespace {
+
+constexpr int kWidth = 320, kHeight = 180;
+
+class BruisePicture : public testing::Test {
+ protected:
+  BruisePicture() { snapshot.bruised.assign(scene.tissueRest.size(), 0.0); }
+  /// All particles within this distance of the one that is nearest to the camera.
+  void press(double within, double seconds) {    // [m] [1] of what injures
+    const auto away = [&](const Vec3& p) { return (p - scene.camera.eye).norm(); };
+    const Vec3 nearest = *std::min_element(snapshot.tissue.begin(), snapshot.tissue.end(), [&](const Vec3& a, const Vec3& b) { return away(a) < away(b); });
+    for (std::size_t i = 0; i < snapshot.tissue.size(); ++i)
+      if ((snapshot.tissue[i] - nearest).norm() < within) snapshot.bruised[i] = seconds;
+  }
+  Frame picture() { return renderer.draw(snapshot, noHud(), scene.camera); }
+
+  RenderScene scene = syntheticScene();
+  RenderSnapshot snapshot = syntheticSnapshot(scene, 1.0, 4);
+  Renderer renderer{scene, kWidth, kHeight};
+};
+
+TEST_F(BruisePicture, WhatHasBorneNothingLooksAsBefore) {
+  RenderSnapshot untold = snapshot;
+  untold.bruised.clear();
+  EXPECT_EQ(picture().rgba, renderer.draw(untold, noHud(), scene.camera).rgba);
+}
+
+TEST_F(BruisePicture, AnInjuryIsDarkAndItsPlaceAlone) {
+  const Frame before = picture();
+  press(8e-3, 1.0);
+  const Frame after = picture();
+  int darker = 0, lighter = 0;                   // pixels
+  for (std::size_t i = 0; i + 3 < before.rgba.size(); i += 4) {
+    const int change = after.rgba[i] - before.rgba[i];           // of 255, red
+    darker += change < -20;
+    lighter += change > 4;
+  }
+  const int all = kWidth * kHeight;
+  EXPECT_GT(darker, all / 500);
+  EXPECT_LT(darker, all / 8);
+  EXPECT_EQ(lighter, 0);
+}
+
+/// It does not fade, and grows darker with the time for which it was pressed.
+TEST_F(BruisePicture, MoreTimeUnderPressureIsDarker) {
+  const Frame before = picture();
+  press(8e-3, 0.3);
+  const double some = difference(before, picture(), 12);
+  press(8e-3, 1.0);
+  EXPECT_GT(difference(before, picture(), 12), some);
+}
+
+}  // namespace
+}  // namespace halsted::render
