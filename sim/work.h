@@ -7,6 +7,7 @@
 #include "sim/strand/knot_diagram.h"
 #include "sim/strand/strand.h"
 #include "sim/strand/thread_contacts.h"
+#include "sim/suture/tied_stitches.h"
 #include "sim/suture/tissue_point.h"
 #include "sim/tissue/tissue_state.h"
 #include "sim/tools/tool_state.h"
@@ -119,6 +120,14 @@ struct TouchWork {
   std::array<double, kMax * kMax> compliance{};    // [m/N] tissue between points, plus the coupling of their common tool
 };
 
+/// Used by sim/suture/tied_stitches.h: how far each hole of a loop goes when the holes of all other loops are pulled as hard as it. Holes stay where they are
+/// in the tissue: made anew only where there are others than `hole`.
+struct StitchWork {
+  int count = 0;                               // loops it holds for
+  std::array<std::array<TissuePoint, TiedStitch::kMostHoles>, TiedStitches::kMost> hole{};
+  std::array<std::array<double, TiedStitch::kMostHoles>, TiedStitches::kMost> others{};   // [m/N]
+};
+
 /// Used by sim/damage.h.
 struct DamageWork {
   std::vector<std::array<double, 2>> pressure; // [Pa] per particle, of an instrument and of the strand; zero between steps
@@ -133,6 +142,7 @@ struct StepWork {
   std::array<ThreadSolid, kHands * 3 + 1> threadSolids;   // what the thread may lie against, in a substep
   KnotReader knotReader;
   HoleWork holes;
+  StitchWork stitches;
   ExchangeWork exchange;
   std::array<StrandContact, StrandState::kMaxContacts> freshContacts;   // found in this step
   std::array<int, StrandState::kMaxContacts> freshLink{};   // of each, in `strand`

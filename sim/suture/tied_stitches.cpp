@@ -64,18 +64,24 @@ void addForces(const Model& m, const TiedStitch& s, double sign, std::vector<Vec
 
 int nextHole(const TiedStitch& s, int i) { return i + 1 < s.holeCount ? i + 1 : 0; }
 
+using Others = std::array<double, TiedStitch::kMostHoles>;       // [m/N] per hole
+
+/// How far a newton at one hole moves another; itself, as if the holes of all other loops were pulled as hard. A row of loops swings as one: each solved as if
+/// its neighbours stood still, they threw the rims of a seam to and fro.  [m/N]
+double giveOf(const TiedStitch& s, const Others& others, int i, int j) { return s.give[i * TiedStitch::kMostHoles + j] + (i == j ? others[i] : 0.0); }
+
 /// How far a newton in one stretch of the loop shortens another, or itself.  [m/N]
-double giveBetween(const TiedStitch& s, int a, int b) {
-  const auto give = [&](int i, int j) { return s.give[i * TiedStitch::kMostHoles + j]; };
+double giveBetween(const TiedStitch& s, const Others& others, int a, int b) {
+  const auto give = [&](int i, int j) { return giveOf(s, others, i, j); };
   const int afterA = nextHole(s, a), afterB = nextHole(s, b);
   return give(afterA, afterB) - give(afterA, b) - give(a, afterB) + give(a, b);
 }
 
 /// Has it a stretch so short that its pull swings it round within a step?
-bool crowded(const Model& m, const TiedStitch& s, std::span<const Vec3> x) {   // x [m]
+bool crowded(const Model& m, const TiedStitch& s, const Others& others, std::span<const Vec3> x) {   // x [m]
   for (int i = 0; i < s.holeCount; ++i) {
     const double size = (pointOf(m, s.hole[nextHole(s, i)], x) - pointOf(m, s.hole[i], x)).norm();   // [m]
-    if (size < kSwing * s.tension * giveBetween(s, i, i)) return true;
+    if (size < kSwing * s.tension * giveBetween(s, others, i, i)) return true;
   }
   return false;
 }
@@ -83,18 +89,18 @@ bool crowded(const Model& m, const TiedStitch& s, std::span<const Vec3> x) {   /
 /// Pull of every stretch at the end of the step, where its two holes will be then: two walls that lie on each other leave their holes next to
 /// each other, and a pull along the way between them as it was would throw them past each other to and fro. Each stretch counts as a spring
 /// whose rest length is nothing and which bears the tension at its present length; the system is symmetric and positive.
-void pullImplicitly(const Model& m, TiedStitch& s, std::span<const Vec3> x) {   // x [m]
+void pullImplicitly(const Model& m, const Others& others, std::span<const Vec3> x, TiedStitch& s) {   // x [m]
   constexpr int kMost = TiedStitch::kMostHoles;
   const int n = s.holeCount;
   Directions free, pull;                       // [m] holes without this loop; [N] of each stretch
   for (int i = 0; i < n; ++i) {
     free[i] = pointOf(m, s.hole[i], x);
-    for (int j = 0; j < n; ++j) free[i] -= s.give[i * kMost + j] * s.force[j];
+    for (int j = 0; j < n; ++j) free[i] -= giveOf(s, others, i, j) * s.force[j];
   }
   double a[kMost][kMost];                      // [m/N] lower triangle, then its factor
   for (int i = 0; i < n; ++i) {
     pull[i] = free[nextHole(s, i)] - free[i];
-    for (int j = 0; j <= i; ++j) a[i][j] = giveBetween(s, i, j);
+    for (int j = 0; j <= i; ++j) a[i][j] = giveBetween(s, others, i, j);
     a[i][i] += std::fmax(kLeastWay, (pointOf(m, s.hole[nextHole(s, i)], x) - pointOf(m, s.hole[i], x)).norm()) / s.tension;
   }
   for (int j = 0; j < n; ++j)                  // L D L^T in place
@@ -112,14 +118,32 @@ void pullImplicitly(const Model& m, TiedStitch& s, std::span<const Vec3> x) {   
 }
 
 /// Implicit on the tissue's one-step compliance, as if every other stitch changed as much: it can only undershoot.
-void solveLoop(const Model& m, TiedStitch& s, std::span<const Vec3> x) {   // x [m]
+void solveLoop(const Model& m, const Others& others, std::span<const Vec3> x, TiedStitch& s) {   // x [m]
   Directions pull;
   const double stretched = pullsOf(m, s, x, pull) - s.length;                  // [m]
   const double stiffness = m.params.thread.axialStiffness / s.length;          // [N/m]
   const double give = ownGive(s, pull) + s.shared;                             // [m/N]
   s.tension = std::fmax(0.0, s.tension + (stiffness * stretched - s.tension) / (1.0 + stiffness * give));
-  if (s.tension > 0.0 && crowded(m, s, x)) return pullImplicitly(m, s, x);
+  if (s.tension > 0.0 && crowded(m, s, others, x)) return pullImplicitly(m, others, x, s);
   for (int i = 0; i < s.holeCount; ++i) s.force[i] = s.tension * pull[i];
+}
+
+void countOthers(const Model& m, const TiedStitches& all, StitchWork& w) {
+  bool same = w.count <= all.count;
+  for (int k = 0; same && k < w.count; ++k) same = all.stitch[k].hole == w.hole[k];
+  if (!same) w.count = 0;
+  for (; w.count < all.count; ++w.count) {     // one more loop: those before it and it
+    const TiedStitch& fresh = all.stitch[w.count];
+    w.hole[w.count] = fresh.hole;
+    w.others[w.count] = {};
+    for (int k = 0; k < w.count; ++k)
+      for (int i = 0; i < all.stitch[k].holeCount; ++i)
+        for (int j = 0; j < fresh.holeCount; ++j) {
+          const double give = magnitude(complianceBetween(m, all.stitch[k].hole[i], fresh.hole[j]));   // [m/N]
+          w.others[k][i] += give;
+          w.others[w.count][j] += give;
+        }
+  }
 }
 
 double hardestPull(const TiedStitch& s) {      // [N] at one of its holes
@@ -192,10 +216,11 @@ void gatherStitchForces(const Model& m, const State& s, std::vector<Vec3>& nodal
 void settleStitches(const Model& m, State& s, StepOutput& out) {
   if (!s.stitches) return;
   TiedStitches& all = *s.stitches;
+  countOthers(m, all, s.work.stitches);
   for (int k = 0; k < all.count; ++k) {
     TiedStitch& stitch = all.stitch[k];
     addForces(m, stitch, -1.0, s.work.change);
-    solveLoop(m, stitch, s.tissue.position);
+    solveLoop(m, s.work.stitches.others[k], s.tissue.position, stitch);
     addForces(m, stitch, 1.0, s.work.change);
   }
   for (int k = all.count - 1; k >= 0; --k) {
