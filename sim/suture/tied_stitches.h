@@ -1,8 +1,9 @@
 #pragma once
 /// Stitches that are tied and cut off: closed loops of thread through points of the tissue. Still physics, at a small and constant cost each:
 /// a loop of known length that slides without friction through its holes, pulls them together when it is too short for them and never
-/// pushes, and tears out past `needle.tear_force`. Where two of its holes lie next to each other its pull is solved with their motion. What it
-/// leaves out: its thread meets nothing outside the holes, and its knot holds. Physics thread; no heap.
+/// pushes, and tears out past `needle.tear_force`. Where two of its holes lie next to each other its pull is solved with their motion, as if
+/// every other loop were pulled as hard. What it leaves out: its thread meets nothing outside the holes, and its knot holds. Physics
+/// thread; no heap.
 #include <array>
 #include <cstdint>
 #include <span>
