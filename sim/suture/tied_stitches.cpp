@@ -128,6 +128,7 @@ void solveLoop(const Model& m, const Others& others, std::span<const Vec3> x, Ti
   for (int i = 0; i < s.holeCount; ++i) s.force[i] = s.tension * pull[i];
 }
 
+/// Row sums of the holes' compliance (Gershgorin), one loop after the other, so that they are the same however many were known before.
 void countOthers(const Model& m, const TiedStitches& all, StitchWork& w) {
   bool same = w.count <= all.count;
   for (int k = 0; same && k < w.count; ++k) same = all.stitch[k].hole == w.hole[k];

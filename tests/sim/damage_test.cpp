@@ -109,7 +109,6 @@ TEST(Damage, JawsPullOverTheirPads) {
   EXPECT_NEAR(b.damage().forceTime[kRight], 6.0, 1e-9);
 }
 
-/// In the step itself: a tool that rests on the wall with a force adds that force's time, and pressure that its contacts add up to.
 /// The picture is told of what instruments did: 1 where the wall is injured.
 TEST(Damage, IsInTheSnapshot) {
   Borne b;
@@ -123,6 +122,7 @@ TEST(Damage, IsInTheSnapshot) {
   EXPECT_NEAR(std::accumulate(picture.bruised.begin(), picture.bruised.end(), 0.0), 0.4, 1e-9);
 }
 
+/// In the step itself: a tool that rests on the wall with a force adds that force's time, and pressure that its contacts add up to.
 TEST(Damage, IsMeasuredInTheStep) {
   StepRig rig(wallParams(), kNeedleAway, frame(Vec3(kWallX + 1.2e-3, 12e-3, 11e-3), Vec3::UnitY(), Vec3::UnitZ()));
   rig.input.tools[kLeft].jaw = 0.0;

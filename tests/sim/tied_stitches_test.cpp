@@ -113,7 +113,7 @@ struct LacedPlates {
 };
 
 /// A row of loops swings as one, and the shorter their stretches are the more: each solved as if its neighbours stood still, rims were thrown past each
-/// other to and fro (0.8 m/s for half a minute of `lembert`, until its holes tore).
+/// other to and fro, until holes tore.
 TEST(TiedStitches, ARowOfShortLoopsComesToRest) {
   LacedPlates p;
   EXPECT_LT(p.speedAfter(3000), 1e-3);
