@@ -117,8 +117,8 @@ Look lookOf(const SkinCorner& corner, const RestPoint& at, const RestShape& shap
 TissueSurface::TissueSurface(const RenderScene& scene, std::size_t triangleBudget)
     : surface_(scene.surface.begin(), scene.surface.begin() + static_cast<std::ptrdiff_t>(boundaryTriangles(scene))),
       skin_(buildSkin(surface_, scene.triangleLayer, scene.surfaceUv, scene.tissueRest.size(), triangleBudget)), pose_(skin_),
-      mesh_{makeArray(), makeBuffer(), {}, 0}, coarse_{makeArray(), makeBuffer(), {}, 0}, cut_(scene), bruiseBuffer_(makeBuffer()),
-      bruiseOfParticle_(scene.tissueRest.size(), 0.0f), bruiseStream_(skin_.corners.size(), 0.0f), looks_(makeBuffer()), stream_(6 * skin_.corners.size()) {
+      mesh_{makeArray(), makeBuffer(), {}, 0}, coarse_{makeArray(), makeBuffer(), {}, 0}, cut_(scene),
+      bruiseOfParticle_(scene.tissueRest.size(), 0.0f), looks_(makeBuffer()), stream_(6 * skin_.corners.size()) {
   pose_.update(skin_, scene.tissueRest);
   const RestShape rest = restShape(scene);
   openingAtRest_ = std::numbers::pi * rest.radius * rest.radius;
@@ -134,8 +134,7 @@ TissueSurface::TissueSurface(const RenderScene& scene, std::size_t triangleBudge
   describe(looks_, sizeof(Look), {{2, 2, offsetof(Look, uv)}, {3, 4, offsetof(Look, color), GL_UNSIGNED_BYTE},
            {4, 4, offsetof(Look, surface), GL_UNSIGNED_BYTE}});
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(looks.size() * sizeof(Look)), looks.data(), GL_STATIC_DRAW);
-  describe(bruiseBuffer_, sizeof(float), {{6, 1, 0}});
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bruiseStream_.size() * sizeof(float)), bruiseStream_.data(), GL_STREAM_DRAW);
+  bruise_ = perCorner(6);
   std::vector<std::uint32_t> indices;
   for (const auto& t : skin_.triangles) indices.insert(indices.end(), t.begin(), t.end());
   uploadIndices(mesh_, indices);
@@ -156,11 +155,8 @@ void TissueSurface::makeRoomForCuts() {
   coarseShown_.reserve(3 * surface_.size());
   fineRoom_ = makeIndexRoom(3 * skin_.triangles.size());
   coarseRoom_ = makeIndexRoom(3 * surface_.size());
-  charBuffer_ = makeBuffer();
-  charStream_.assign(skin_.corners.size(), 0.0f);
   glBindVertexArray(mesh_.array);
-  describe(charBuffer_, sizeof(float), {{5, 1, 0}});
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(charStream_.size() * sizeof(float)), charStream_.data(), GL_STREAM_DRAW);
+  char_ = perCorner(5);
 }
 
 void TissueSurface::dropWhatIsGone() {
@@ -176,10 +172,17 @@ void TissueSurface::dropWhatIsGone() {
   pose_.tear(skin_, surface_, cut_.shown());
 }
 
-void TissueSurface::streamChar() {
-  for (std::size_t i = 0; i < skin_.corners.size(); ++i) charStream_[i] = pose_.at(skin_, skin_.corners[i].point, cut_.charOfParticles());
-  glBindBuffer(GL_ARRAY_BUFFER, charBuffer_);
-  glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(charStream_.size() * sizeof(float)), charStream_.data());
+TissueSurface::PerCorner TissueSurface::perCorner(unsigned location) const {
+  PerCorner q{makeBuffer(), std::vector<float>(skin_.corners.size(), 0.0f)};
+  describe(q.buffer, sizeof(float), {{location, 1, 0}});
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(q.value.size() * sizeof(float)), q.value.data(), GL_STREAM_DRAW);
+  return q;
+}
+
+void TissueSurface::stream(const std::vector<float>& ofParticle, PerCorner& q) const {
+  for (std::size_t i = 0; i < skin_.corners.size(); ++i) q.value[i] = pose_.at(skin_, skin_.corners[i].point, ofParticle);
+  glBindBuffer(GL_ARRAY_BUFFER, q.buffer);
+  glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(q.value.size() * sizeof(float)), q.value.data());
 }
 
 void TissueSurface::streamBruises(const RenderSnapshot& snapshot, bool anew) {
@@ -187,9 +190,7 @@ void TissueSurface::streamBruises(const RenderSnapshot& snapshot, bool anew) {
   const auto same = [](double now, float before) { return static_cast<float>(now) == before; };
   if (!anew && std::equal(snapshot.bruised.begin(), snapshot.bruised.end(), bruiseOfParticle_.begin(), same)) return;
   std::transform(snapshot.bruised.begin(), snapshot.bruised.end(), bruiseOfParticle_.begin(), [](double b) { return static_cast<float>(b); });
-  for (std::size_t i = 0; i < skin_.corners.size(); ++i) bruiseStream_[i] = pose_.at(skin_, skin_.corners[i].point, bruiseOfParticle_);
-  glBindBuffer(GL_ARRAY_BUFFER, bruiseBuffer_);
-  glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bruiseStream_.size() * sizeof(float)), bruiseStream_.data());
+  stream(bruiseOfParticle_, bruise_);
 }
 
 void TissueSurface::update(const RenderSnapshot& snapshot) {
@@ -203,7 +204,7 @@ void TissueSurface::update(const RenderSnapshot& snapshot) {
   }
   mesh_.stream(stream_.data(), stream_.size() * sizeof(float));
   coarse_.stream(pose_.particles().data(), pose_.particles().size() * sizeof(float));
-  if (canBeCut) streamChar();
+  if (canBeCut) stream(cut_.charOfParticles(), char_);
   streamBruises(snapshot, canBeCut && changed);
 }
 

@@ -26,12 +26,15 @@ class TissueSurface {
   Buffer fineRoom_, coarseRoom_;
   void makeRoomForCuts();
   void dropWhatIsGone();
-  void streamChar();
-  Buffer charBuffer_;
-  std::vector<float> charStream_;                         // [1] per corner
+  struct PerCorner {
+    Buffer buffer;
+    std::vector<float> value;                             // [1] per corner
+  };
+  PerCorner perCorner(unsigned location) const;           // nothing yet; described to the bound vertex array
+  void stream(const std::vector<float>& ofParticle, PerCorner&) const;   // [1]
   void streamBruises(const RenderSnapshot&, bool anew);   // anew: the skin has torn since
-  Buffer bruiseBuffer_;
-  std::vector<float> bruiseOfParticle_, bruiseStream_;    // [1] per particle, per corner
+  PerCorner char_, bruise_;
+  std::vector<float> bruiseOfParticle_;                   // [1]
   Buffer looks_;                                          // what never changes: colour, texture place, gloss
   std::vector<float> stream_;                             // [m], [1] position and normal per corner
   double openingAtRest_ = 0.0;                            // [m^2]
