@@ -104,7 +104,7 @@ void carryOver(const State& s, Continued& continued, TouchPoint& p) {
   }
   const double apart = p.slide.dot(p.normal);  // [m]
   p.slide -= apart * p.normal;
-  p.gap = std::fmax(p.gap, std::fmin(apart, 0.0) - kRecover);
+  p.gap = std::fmax(p.gap, apart - kRecover);
 }
 
 /// Contacts of the last step that were not found again: their force goes, and the tissue's answer to that belongs to this solve.

@@ -7,8 +7,8 @@
 
 namespace halsted::app {
 
-/// Motion and elasticity of the tissue against the work done on it. A tool's work is reckoned by the motion of the tool, not of the tissue that it
-/// touches, and that of tissue against tissue not at all: what a contact adds of its own is created. Dissipation only lowers the balance.
+/// Motion and elasticity of the tissue against the work done on it. A tool's work is reckoned by the motion of the tool and of its jaws, not of the
+/// tissue that it touches, and that of tissue against tissue not at all: what a contact adds of its own is created. Dissipation only lowers the balance.
 /// Not seen: what contacts add in a step in which the tool springs farther than a millimetre, where the tissue's own motion counts.
 class EnergyAudit {
  public:
@@ -20,6 +20,7 @@ class EnergyAudit {
  private:
   std::vector<Vec3> position_, force_;         // [m] before the step; [N] of thread and gravity
   std::array<Pose, kHands> tool_;
+  std::array<double, kHands> jaw_;             // [1]
   std::array<Pose, kMostClamps> clamp_;
   double work_ = 0.0, least_ = 1e300, created_ = 0.0, most_ = 0.0;   // [J]
   int sinceLook_ = 0;                          // steps

@@ -12,7 +12,7 @@ Pose pressing(double gap, double aside = 0.0) {  // [m] from the jaws' surface t
 }
 
 struct Press : StepRig {
-  Press() : StepRig(wallParams(), kNeedleAway, pressing(20e-3)) {
+  explicit Press(const SimParams& params = wallParams()) : StepRig(params, kNeedleAway, pressing(20e-3)) {
     input.tools[kLeft].jaw = 0.0;
     run(2);
   }
@@ -114,6 +114,27 @@ TEST(ToolContact, TheOtherHandFeelsNothing) {
     ASSERT_EQ(other.planeCount, 0);
   }
   EXPECT_GT(p.tool().force.norm(), 0.1);
+}
+
+/// Jaws that are deep in the tissue at once, as those that opened there, let it out at a pace. Tissue that leaves them faster by itself needs no push:
+/// pushed to go faster than it went in each step, it was flung out.
+TEST(ToolContact, WhatLeavesAToolFastEnoughIsNotPushed) {
+  SimParams soft = wallParams();
+  soft.tissue.youngsModulus = 1e4;               // hardly slowed in a step
+  double pushed[2];                              // [N]
+  for (int leaving = 0; leaving < 2; ++leaving) {
+    Press p(soft);
+    p.run(2);                                    // the list of what is near is made anew in the step that follows
+    ToolState& tool = p.state.tools[kLeft];
+    const Pose deep = pressing(-1e-3);
+    p.input.tools[kLeft].pose = tool.device = tool.proxy = deep;
+    if (leaving)
+      for (Vec3& v : p.state.tissue.velocity) v.x() = -0.3;      // [m/s]
+    p.to(deep);
+    pushed[leaving] = p.onTissue().norm();
+  }
+  EXPECT_GT(pushed[0], 5e-3);
+  EXPECT_LT(pushed[1], 0.05 * pushed[0]);
 }
 
 /// Open jaws straddle the top edge from above.
