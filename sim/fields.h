@@ -113,9 +113,9 @@ HALSTED_FIELDS(Hole, tet, weight, coordinate, force, slip, bite, role, entryCosi
 HALSTED_FIELDS(StrandContact, sample, feature, normalForce, force, weight)
 /// Of the holes only those that there are.
 template <class V> void visitMembers(StrandState& object, FieldWalk<V>& walk) {
-  auto& [position, velocity, tension, needle, needleVelocity, needleSpin, nearVertex, holes, holeCount, contacts, contactCount, bitesBegun] = object;
-  walk.members("position, velocity, tension, needle, needleVelocity, needleSpin, nearVertex, holeCount, contacts, contactCount, bitesBegun",
-               position, velocity, tension, needle, needleVelocity, needleSpin, nearVertex, holeCount, contacts, contactCount, bitesBegun);
+  auto& [position, velocity, tension, needle, needleVelocity, needleSpin, nearVertex, otherVertex, holes, holeCount, contacts, contactCount, bitesBegun] = object;
+  walk.members("position, velocity, tension, needle, needleVelocity, needleSpin, nearVertex, otherVertex, holeCount, contacts, contactCount, bitesBegun",
+               position, velocity, tension, needle, needleVelocity, needleSpin, nearVertex, otherVertex, holeCount, contacts, contactCount, bitesBegun);
   if (holeCount < 0 || holeCount > StrandState::kMaxHoles) holeCount = 0;   // read from damaged data
   walk.members("holes", std::span<Hole>(holes.data(), static_cast<std::size_t>(holeCount)));
 }

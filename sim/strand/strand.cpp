@@ -19,6 +19,7 @@ StrandState restState(const StrandModel& m, const Pose& needle) {
   s.velocity.resize(m.nodes);
   s.tension.resize(m.nodes - 1);
   s.nearVertex.resize(m.nodes + m.sampleCoordinate.size());
+  s.otherVertex.resize(s.nearVertex.size());
   layAtRest(m, needle, s);
   return s;
 }
@@ -31,6 +32,7 @@ void layAtRest(const StrandModel& m, const Pose& needle, StrandState& s) {
   std::fill(s.velocity.begin(), s.velocity.end(), Vec3::Zero());
   std::fill(s.tension.begin(), s.tension.end(), 0.0);
   std::fill(s.nearVertex.begin(), s.nearVertex.end(), 0);
+  std::fill(s.otherVertex.begin(), s.otherVertex.end(), -1);
   s.holes.fill(Hole{});
   s.contacts.fill(StrandContact{});
   s.holeCount = s.contactCount = 0;

@@ -39,6 +39,7 @@ struct StrandState {
   Vec3 needleVelocity = Vec3::Zero();          // [m/s] of the centre of mass
   Vec3 needleSpin = Vec3::Zero();              // [rad/s] world
   std::vector<std::int32_t> nearVertex;        // per sample (nodes, then needle samples): closest surface vertex known
+  std::vector<std::int32_t> otherVertex;       // the same on the other bowel, where there are two; -1 not known
   std::array<Hole, kMaxHoles> holes{};
   std::int32_t holeCount = 0;
   std::array<StrandContact, kMaxContacts> contacts{};

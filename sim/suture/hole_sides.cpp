@@ -2,6 +2,7 @@
 
 #include "sim/lanes.h"
 #include "sim/suture/holes.h"
+#include "sim/suture/strand_sample.h"
 
 namespace halsted {
 namespace {
@@ -40,7 +41,7 @@ void rememberSides(const Model& m, State& state) {
     const Hole* h = leadingHole(m, s, i < nodes ? m.strand.place[i] : m.strand.sampleCoordinate[i - nodes]);
     if (h == nullptr) continue;
     const bool inside = m.bowels.wallDepth[s.nearVertex[i]] > 0.5;
-    if (inside != onMucosa(m, *h)) s.nearVertex[i] = vertexAt(m, *h);
+    if (inside != onMucosa(m, *h)) follow(m, static_cast<int>(i), vertexAt(m, *h), s);
   }
 }
 

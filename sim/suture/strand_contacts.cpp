@@ -16,6 +16,7 @@ constexpr double kTissueShare = 3.0;           // [1] over-estimates the complia
 constexpr double kNodeSpacing = 2e-3;          // [m] of the thread's nodes for which that holds
 constexpr double kSolidStiffness = 800.0;      // [N/m] strand against steel, per step and incremental: the fixed point is rigid
 constexpr double kStickSlide = 2e-7;           // [m] per step: below it friction holds (0.2 mm/s of creep)
+constexpr double kWedged = 0.3e-3;             // [m] below an edge: so far thread has cut in
 constexpr double kCoarse = 1.5e-3;             // [m] nodes that lie closer cannot pass a wall on both sides
 
 double triangleCompliance(const Model& m, int triangle, const std::array<double, 3>& w) {
@@ -155,11 +156,17 @@ bool throughWall(const Model& m, const StrandSample& x, const State& s, int fres
   return before.sample + 1 == x.index && oppositeFaces(m, before.feature, triangle) && before.force.dot(normal) < kOpposed;
 }
 
-/// Thread that is found deep in the tissue is not thrown out of it in one step (with 40 N, at an edge): taken back at once is no more than it moves
-/// in this step, or a little. Not where tissue is cut: over those edges the stitches then do not close (`altemeier`).  [m]
+/// Is thread that is found deep in the tissue let out of it slowly? Not where tissue is cut: over those edges the stitches then do not close
+/// (`altemeier`). Where it is not tied only what an edge has cut into (touchBetween).
+bool leavesSlowly(const Model& m, const State& s, const StrandSample& x) {
+  if (!m.params.thread.knots) return x.index >= sampleCount(m.strand);
+  return m.bowels.count > 1 && x.thread && !s.cut;
+}
+
+/// Then it is not thrown out in one step (with 40 N, at an edge): taken back at once is no more than it moves in this step, or a little.  [m]
 double sunkBefore(const Model& m, const State& s, const StrandSample& x, const Touch& touch) {
   constexpr double kOutPerStep = 3e-4;         // [m]
-  if (m.bowels.count < 2 || !m.params.thread.knots || !x.thread || s.cut) return 0.0;
+  if (!leavesSlowly(m, s, x)) return 0.0;
   const double deep = touch.normal.dot(touch.point - x.predicted), way = (x.predicted - x.position).norm();   // [m]
   return std::fmax(0.0, deep - std::fmax(kOutPerStep, way));
 }
@@ -184,14 +191,16 @@ void touchTissue(const Model& m, const StrandSample& x, SurfacePoint near, State
 
 /// Nodes that lie on both sides of an edge leave the thread between them free to cut down into the wall: it is held half-way on the edge, too, from
 /// when they lie on the tissue for as long as it pushes; let go while it pushes, it would shake the wall. Not where tissue is cut: edges are no
-/// wider there than nodes lie apart, and each leaves the tissue across the thread by itself. Nor of thread that is not tied: one that runs
-/// through fifty holes would not come to rest.
+/// wider there than nodes lie apart, and each leaves the tissue across the thread by itself. Thread that is not tied is held so only where it has cut
+/// in (its nodes, on both sides of the wall, pinched it with 0.3 N for good): always, one that runs through fifty holes would not come to rest.
 void touchBetween(const Model& m, int node, const SurfacePoint& before, const SurfacePoint& now, State& state, int& fresh) {
-  if (state.cut || !m.params.thread.knots) return;
+  if (state.cut) return;
   const StrandSample x = sampleBetween(m, state.strand, node);
   if (segmentAt(m.strand, x.coordinate) < kCoarse) return;
   const bool held = previousContact(state.strand, x.index, -1, true, static_cast<int>(m.surface.triangles.size())) != nullptr;
-  if (held || overEdge(m, before, now)) touchTissue(m, x, nearBetween(m, x, node, state), state, fresh);
+  if (!held && !overEdge(m, before, now)) return;
+  const SurfacePoint out = nearBetween(m, x, node, state);
+  if (m.params.thread.knots || out.distance < -kWedged) touchTissue(m, x, out, state, fresh);
 }
 
 void touchSolid(const Model& m, const StrandSample& x, const SolidMotion& motion, int solid, State& state, int& fresh) {

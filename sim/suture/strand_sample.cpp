@@ -36,10 +36,34 @@ SurfacePoint faceMet(const Model& m, const SurfaceNow& tissue, const StrandSampl
   return met.distance < 0.0 ? met : SurfacePoint{};
 }
 
+/// From the vertex that is known.
+SurfacePoint nearKnown(const Model& m, const SurfaceNow& tissue, const StrandSample& x, StrandState& s) {
+  return nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
+}
+
 /// The nearest vertex of all may be one of the wall's far side. Which side a sample is on tells the face that is nearest to it where it begins its step.
-SurfacePoint fromItsSide(const Model& m, const SurfaceNow& tissue, const StrandSample& x, int& vertex) {
+SurfacePoint fromItsSide(const Model& m, const SurfaceNow& tissue, const StrandSample& x, StrandState& s) {
+  int vertex = s.nearVertex[x.index];
   nearestTriangle(m.surface, tissue, x.position, vertex);
-  return nearestSurface(m.surface, tissue, x.predicted, kReach, vertex);
+  follow(m, x.index, vertex, s);
+  return nearKnown(m, tissue, x, s);
+}
+
+bool pressedIn(const SurfacePoint& near) { return near.triangle >= 0 && near.distance < 0.0 && near.distance > -kSkinDepth; }
+
+/// Thread between two walls lies on the one whose surface is nearer, not its vertex: known by that one alone it went into the other.
+SurfacePoint ofNearerBowel(const Model& m, const SurfaceNow& tissue, const StrandSample& x, const SurfacePoint& near, StrandState& s) {
+  int& other = s.otherVertex[x.index];
+  if (other < 0 || pressedIn(near)) return near;
+  const SurfacePoint there = nearestSurface(m.surface, tissue, x.predicted, kReach, other);
+  if (there.triangle < 0 || there.distance >= near.distance) return near;
+  const int vertex = other;
+  if (there.distance >= -kOnTissue) {
+    follow(m, x.index, vertex, s);
+    return there;
+  }
+  other = -1;                                  // deep at once: known by its far side
+  return fromItsSide(m, tissue, x, s);
 }
 
 /// The samples next to a hole are led by it.
@@ -51,6 +75,13 @@ int nearestOf(const Model& m, const SurfaceNow& tissue, const Vec3& p, int known
 }
 
 }  // namespace
+
+void follow(const Model& m, int sample, int vertex, StrandState& s) {
+  const std::vector<int>& bowel = m.bowels.of;
+  std::int32_t& near = s.nearVertex[sample];
+  if (bowel[vertex] != bowel[near]) s.otherVertex[sample] = near;
+  near = vertex;
+}
 
 int sampleCount(const StrandModel& m) { return m.nodes + static_cast<int>(m.sampleCoordinate.size()); }
 
@@ -90,14 +121,14 @@ SurfacePoint nearTissue(const Model& m, const StrandSample& x, State& state) {
   StrandState& s = state.strand;
   const SurfaceNow tissue(state.tissue.position, state.tissue.gone);
   if (ledByHole(m, x, state)) return {};
-  SurfacePoint near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
-  const bool pressedIn = near.triangle >= 0 && near.distance < 0.0 && near.distance > -kSkinDepth;
+  SurfacePoint near = ofNearerBowel(m, tissue, x, nearKnown(m, tissue, x, s), s);
   const int interval = searchInterval(m, state, x);
-  if (!pressedIn && static_cast<int>(state.step % interval) == x.index % interval) {
+  if (!pressedIn(near) && static_cast<int>(state.step % interval) == x.index % interval) {
     const bool flies = x.thread && m.bowels.count > 1;             // the side that it is on now, not the one where it would come out
-    s.nearVertex[x.index] = nearestOf(m, tissue, flies ? x.position : x.predicted, s.nearVertex[x.index], state.work.boxes);
-    near = nearestSurface(m.surface, tissue, x.predicted, kReach, s.nearVertex[x.index]);
-    if (near.distance < 0.0) near = fromItsSide(m, tissue, x, s.nearVertex[x.index]);
+    follow(m, x.index, nearestOf(m, tissue, flies ? x.position : x.predicted, s.nearVertex[x.index], state.work.boxes), s);
+    near = nearKnown(m, tissue, x, s);
+    if (near.distance < 0.0) near = fromItsSide(m, tissue, x, s);
+    near = ofNearerBowel(m, tissue, x, near, s);
   }
   if (!state.cut || !x.thread) return near;
   const SurfacePoint met = near.distance < 0.0 ? faceMet(m, tissue, x, s.nearVertex[x.index]) : SurfacePoint{};

@@ -22,6 +22,9 @@ StrandSample sampleAt(const Model&, const StrandState&, int index);
 /// Half-way from the node before, `node` > 0.
 StrandSample sampleBetween(const Model&, const StrandState&, int node);
 
+/// The surface vertex from which a sample's way over the tissue is followed; what was known of another bowel stays known.
+void follow(const Model&, int sample, int vertex, StrandState&);
+
 /// Where the tissue is nearest to a node or a sample of the needle; none within reach, or where a hole leads it: triangle -1.
 SurfacePoint nearTissue(const Model&, const StrandSample&, State&);
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "sim/step.h"
+#include "sim/suture/strand_sample.h"
 #include "tests/app/abuse_watch.h"
 #include "tests/app/scenario_for_tests.h"
 #include "tests/sim/knot_rig.h"
@@ -33,8 +34,8 @@ struct Thrown {
       input.tools[hand].jaw = tool.jaw = 1.0;
     }
   }
-  /// Its tail at `tail` [m], thrown with `velocity` [m/s]; it knows of no tissue but a vertex of the bowel `known`.
-  void lay(const Vec3& tail, const Vec3& along, const Vec3& velocity, int known) {
+  /// Its tail at `tail` [m], thrown with `velocity` [m/s]; it knows of no tissue but a vertex of the bowel `known`, and one of `other`, if that is not -1.
+  void lay(const Vec3& tail, const Vec3& along, const Vec3& velocity, int known, int other = -1) {
     StrandState& s = state.strand;
     for (int i = 0; i < model.strand.nodes; ++i) {
       s.position[i] = tail + model.strand.place[i] * along;
@@ -43,6 +44,7 @@ struct Thrown {
     s.needle = KnotRig::needlePose(model.strand, s.position);
     s.needleVelocity = velocity;
     std::fill(s.nearVertex.begin(), s.nearVertex.end(), model.bowels.rim[known].front());
+    if (other >= 0) std::fill(s.otherVertex.begin(), s.otherVertex.end(), model.bowels.rim[other].front());
   }
   /// At rest over the bowel's top, `off` [m] its surface, every segment there stretched [1]; from 40 degrees on either side it leads straight up.
   void span(double off, double stretch) {
@@ -78,6 +80,24 @@ TEST(FlyingThread, MeetsTheBowelThatItFliesTo) {
   t.fly(60);
   EXPECT_LT(t.worst.tissue, 1e-3);
   EXPECT_EQ(t.worst.through, 0);
+}
+
+/// Between two searches, too, thread meets the bowel whose surface is nearer. Known by the other alone it sank in for up to 32 steps.
+TEST(FlyingThread, MeetsTheNearerOfTwoBowelsThatItKnows) {
+  Thrown t;
+  const Opening& o = t.end;
+  t.lay(o.centre - 10e-3 * o.axis + (t.radius + 1.5e-3) * o.up - 0.1 * o.right, o.right, Vec3::Zero(), 0, 1);
+  StrandState& s = t.state.strand;
+  const int node = threadSpot(t.model.strand, 0.1).node;         // over the top
+  t.state.step = static_cast<std::uint64_t>(node) + 1;           // not when it is searched for
+  const SurfacePoint near = nearTissue(t.model, sampleAt(t.model, s, node), t.state);
+  ASSERT_GE(near.triangle, 0);
+  const std::vector<int>& bowel = t.model.bowels.of;
+  EXPECT_EQ(bowel[t.model.surface.triangles[near.triangle][0]], 1);
+  EXPECT_LT(near.distance, 1.5e-3);
+  EXPECT_GT(near.distance, 0.0);
+  EXPECT_EQ(bowel[s.nearVertex[node]], 1);
+  EXPECT_EQ(bowel[s.otherVertex[node]], 0);
 }
 
 /// Against the edge from the front, its tail in front of the lumen, in many places of its nodes: none of it stays in the wall.

@@ -1,4 +1,4 @@
-/// Thread over the free edge of a wall, its nodes farther apart than the wall is thick: what lies between them does not cut down into it.
+/// Thread over the free edge of a wall, its nodes farther apart than the wall is thick: what lies between them does not cut down into it, or is let out.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,19 +12,26 @@
 namespace halsted {
 namespace {
 
-constexpr double kSegment = 4.5e-3;             // [m]
+constexpr double kSegment = 4.5e-3, kTight = 4.1e-3;   // [m] wider than the wall; as wide as the wall, not as it and the thread's radius on either side
 constexpr int kNodes = 14;
 constexpr double kDrawn = 0.4;                 // [N] at either end
 constexpr int kOver = kNodes / 2;              // the node behind the edge
 
 /// Thread hangs over the wall's top edge like a rope over a beam, both ends in jaws.
 struct OverTheEdge : StepRig {
-  OverTheEdge() : StepRig(params(), kNeedleAway) {
+  explicit OverTheEdge(bool knots = true, double over = 0.5e-3) : StepRig(params(knots), kNeedleAway) {   // over [m] the edge, at first
     model.mesh.triangleLayer = wallFaces(model.mesh, model.surface);
-    for (int i = 0; i < kNodes; ++i) state.strand.position[i] = placeOf(i);
+    for (int i = 0; i < kNodes; ++i) {
+      state.strand.position[i] = placeOf(i, over, model.params.thread.segmentLength);
+      state.strand.nearVertex[i] = nearestVertex(model.surface, state.tissue.position, state.strand.position[i]);
+    }
     state.strand.needle = KnotRig::needlePose(model.strand, state.strand.position);
-    take(kLeft, 1);
-    take(kRight, kNodes - 2);
+    if (knots) {
+      take(kLeft, 1);
+      take(kRight, kNodes - 2);
+    } else {
+      letGo();
+    }
   }
   /// Both hands go down alike until they feel in the mean what is asked, for so long.
   void draw(double seconds) {                  // [s]
@@ -39,7 +46,6 @@ struct OverTheEdge : StepRig {
   double felt() const { return 0.5 * (state.tools[kLeft].threadForce.norm() + state.tools[kRight].threadForce.norm()); }   // [N]
   double deepest = -1.0;                       // [m] so far
 
- private:
   /// Below the surface, of the middle of a segment that goes from one side of the wall to the other.  [m]
   double depth() const {
     double most = -1.0;                        // [m]
@@ -52,19 +58,28 @@ struct OverTheEdge : StepRig {
     }
     return most;
   }
-  static SimParams params() {
+
+ private:
+  static SimParams params(bool knots) {
     SimParams p = wallParams();
     p.thread.nodes = kNodes;
-    p.thread.segmentLength = kSegment;
-    p.thread.knots = true;
-    p.contact.threadTissueFriction = 1.0;      // it does not slide over the edge
+    p.thread.segmentLength = knots ? kSegment : kTight;
+    p.thread.knots = knots;
+    if (knots) p.contact.threadTissueFriction = 1.0;   // it does not slide over the edge
     return p;
   }
-  static Vec3 placeOf(int node) {              // [m]
-    const double left = 0.5 * (kWallX - kSegment), top = kWallZ + 0.5e-3;
+  static Vec3 placeOf(int node, double over, double segment) {   // [m]
+    const double left = 0.5 * (kWallX - segment), top = kWallZ + over;
     const int below = node < kOver ? kOver - 1 - node : node - kOver;
-    const double out = 0.1 * kSegment * below, down = std::sqrt(1.0 - 0.01) * kSegment * below;
-    return Vec3(node < kOver ? left - out : left + kSegment + out, 0.5 * kWallY, top - down);
+    const double out = 0.1 * segment * below, down = std::sqrt(1.0 - 0.01) * segment * below;
+    return Vec3(node < kOver ? left - out : left + segment + out, 0.5 * kWallY, top - down);
+  }
+  void letGo() {
+    for (int hand = 0; hand < kHands; ++hand) {
+      state.tools[hand].holdsNeedle = state.tools[hand].ratchet = state.tools[hand].closed = false;
+      state.tools[hand].device = state.tools[hand].proxy = input.tools[hand].pose = kAway;
+      input.tools[hand].jaw = 1.0;
+    }
   }
   void take(int hand, int node) {
     ToolState& tool = state.tools[hand];
@@ -83,6 +98,21 @@ TEST(ThreadOverAnEdge, DoesNotCutDownIntoTheWall) {
   std::printf("drawn with %.2f N: at most %.2f mm below the edge\n", rig.felt(), 1e3 * rig.deepest);
   EXPECT_NEAR(rig.felt(), kDrawn, 0.1);
   EXPECT_LT(rig.deepest, 0.7e-3);
+}
+
+/// Thread that is not tied, and has cut in: its nodes on either side would pinch the wall between them for good.
+TEST(ThreadOverAnEdge, WhatHasCutInIsLetOutOverTheEdge) {
+  OverTheEdge rig(false, -1.4e-3);
+  const double cut = rig.depth();              // [m]
+  double pushed = 0.0;                         // [N]
+  for (int k = 0; k < 500; ++k) {
+    rig.step();
+    for (int c = 0; c < rig.state.strand.contactCount; ++c) pushed = std::max(pushed, rig.state.strand.contacts[c].normalForce);
+  }
+  std::printf("%.2f mm below the edge, then %.2f mm; pushed with at most %.2f N\n", 1e3 * cut, 1e3 * rig.depth(), pushed);
+  EXPECT_GT(cut, 1.2e-3);
+  EXPECT_LT(rig.depth(), 0.5e-3);
+  EXPECT_LT(pushed, 1.0);                      // taken out slowly
 }
 
 SimParams withFineThread(SimParams p, double segment) {   // [m]
