@@ -4,6 +4,7 @@
 #include "sim/contact/surface.h"
 #include "sim/strand/strand.h"
 #include "sim/suture/knotting.h"
+#include "sim/suture/tied_loop.h"
 #include "sim/tools/instrument.h"
 
 namespace halsted::scenes {
@@ -195,7 +196,8 @@ bool runDraw(const Scene& s, std::string& failure) {
   return false;
 }
 
-/// Phase 0: both hands let go and rise. 1: looks. 2 to 4: the driver takes hold. 5: it draws.
+/// Phase 0: both hands let go and rise. 1: looks. 2 to 4: the driver takes hold. 5: it draws. A knot whose throws this draws tight, and that holds, stays:
+/// it cannot be taken out.
 bool runTakeOut(const Scene& s) {
   ExpertState& e = s.memory;
   if (e.phase == 0) {
@@ -210,6 +212,7 @@ bool runTakeOut(const Scene& s) {
   } else if (s.state.strand.holeCount == 0) {
     return true;
   } else if (e.phase == 1) {
+    if (finishedLoop(s.model, s.state)) return true;
     e.place = needlePlace(s);
     nextPhase(s);
   } else if (e.phase <= 4) {

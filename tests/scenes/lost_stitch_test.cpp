@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "scenes/expert.h"
+#include "sim/strand/strand.h"
+#include "sim/suture/tied_loop.h"
 #include "tests/scenes/sewn_ends.h"
 
 namespace halsted {
@@ -50,6 +52,18 @@ TEST_F(LostStitch, EndsAScriptThatDoesNotSayWhereElse) {
   run("stitch_at_deg = [0]\n");
   ASSERT_EQ(failures.size(), 1u);
   EXPECT_EQ(ends.state.strand.holeCount, 2);
+}
+
+/// Pulled at, a knot may turn out to hold: the throws of one that looked untied drew tight, and the script pulled at it for two minutes.
+TEST_F(LostStitch, WhoseKnotHoldsAfterAllIsKept) {
+  ends.tighten();
+  ends.tieOff();
+  ends.state.threadContacts.cut[threadSpot(ends.model.strand, ends.state.assist->tip + 20e-3).node] = 1;   // the needle is off
+  ASSERT_TRUE(finishedLoop(ends.model, ends.state));
+  run("", "[[action]]\ndo = \"take_out\"\n\n[[action]]\ndo = \"fresh_thread\"\n");
+  EXPECT_TRUE(failures.empty()) << failures.front();
+  EXPECT_EQ(ends.state.stitches->count, 1);
+  EXPECT_EQ(ends.state.supply->handed, 1);
 }
 
 /// A script may name more places than the procedure asks for stitches, for those that tear out after they were tied.
