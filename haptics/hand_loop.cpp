@@ -92,6 +92,7 @@ Vec3 currentForce(const HandLoopConfig& config, const HandLoopState& state, cons
 /// A puncture is meant to be felt: it jumps.
 void takeModel(const LocalContact& contact, const HandLoopConfig& config, const Vec3& position, HandLoopState& state) noexcept {
   state.offset = decayedOffset(state.offset, config.blendStep, config.blendShare);
+  state.replaced = false;
   if (contact.step == state.lastStep) return;
   state.lastStep = contact.step;
   state.modelUsable = usable(contact);
@@ -99,16 +100,26 @@ void takeModel(const LocalContact& contact, const HandLoopConfig& config, const 
   const Vec3 before = pushOnly(config, state, currentForce(config, state, position));
   const Vec3 after = modelForce(contact, position, state.velocity, state.caps);
   state.offset = contact.puncture || !allFinite(before - after) ? Vec3(Vec3::Zero()) : Vec3(before - after);
+  state.replaced = !contact.puncture && allFinite(before);
+  state.before = before;
   state.model = contact;
   state.ageTicks = 1;
+}
+
+/// No new model changes the force by more than a step: the blend fades as the old planes had it and pull is taken out as the new ones have it, each by a step
+/// at most, and where their normals differ both together went to twice that (0.083 N, as a hand left a wall that it had pinched).
+Vec3 withinAStep(const HandLoopConfig& config, const HandLoopState& state, const Vec3& before, const Vec3& force) noexcept {  // [N]
+  const Vec3 change = force - before;          // [N]
+  const bool far = change.dot(change) > config.blendStep * config.blendStep;
+  return state.replaced && far ? Vec3(before + clampLength(change, config.blendStep)) : force;
 }
 
 /// The wanted force before the limits; never more adhesive than a tick ago. What is taken out as adhesion is taken out of the
 /// blend and of the damping too, so that it does not come back.
 Vec3 renderForce(const HandLoopConfig& config, const Vec3& position, HandLoopState& state) noexcept {  // [m]
   const Vec3 blended = currentForce(config, state, position);
-  const Vec3 force = pushOnly(config, state, blended);
-  const Vec3 damped = pushOnly(config, state, force + state.passiveForce);
+  const Vec3 force = withinAStep(config, state, state.before, pushOnly(config, state, blended));
+  const Vec3 damped = withinAStep(config, state, state.before + state.passiveForce, pushOnly(config, state, force + state.passiveForce));
   if (!allFinite(damped)) {  // a model of finite numbers whose force overflows: limitForce cuts it, and nothing of it is kept
     state.offset = state.passiveForce = state.lastRendered = Vec3::Zero();
     return damped;

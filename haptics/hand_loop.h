@@ -39,6 +39,8 @@ struct HandLoopState {
   Vec3 lastRendered = Vec3::Zero();            // [N] before the limits
   Vec3 drift = Vec3::Zero();                   // [N] what this tick's motion changes in the force of the model that the last one used
   Vec3 offset = Vec3::Zero();                  // [N] blend that keeps the force continuous when the model is replaced
+  Vec3 before = Vec3::Zero();                  // [N] what the model that was replaced in this tick would have shown
+  bool replaced = false;                       // in this tick, not by a puncture
   LocalContact model;                          // in use; kept to compare with the one that replaces it
   std::uint64_t lastStep = 0;                  // physics step of the model in use
   std::uint64_t lastTick = 0;                  // index of the last tick

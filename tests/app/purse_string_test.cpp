@@ -41,7 +41,7 @@ TEST_P(SlowPurseString, IsTiedByTheScriptWithoutAFaultOrATear) {
   EXPECT_EQ(m["tears"], 0.0);
   EXPECT_EQ(m["stitches_across_opening"], 0.0);
   EXPECT_LT(m["opening_fraction_1"], 0.15);
-  EXPECT_LT(m["peak_tension_n"], 6.0);         // a hole tears there; the script draws to 3.6 N, and a thread that chattered reached 7.9 at 4.4
+  EXPECT_LT(m["peak_tension_n"], 6.0);         // a hole tears there; the script draws to 3.8 N at last, and a thread that chattered reached 7.9 at 4.4
   ASSERT_GT(chatter.count, 1000);
   EXPECT_LT(chatter.sum / chatter.count, 0.1);   // [N] a step
 }
