@@ -106,12 +106,19 @@ void takeModel(const LocalContact& contact, const HandLoopConfig& config, const 
   state.ageTicks = 1;
 }
 
+bool pulls(const LocalContact& model, const Vec3& force) noexcept {  // [N]
+  constexpr double kTrace = 1e-9;              // [N]
+  const Vec3 pull = force - withoutAdhesion(model, force, Vec3::Zero(), 0.0);
+  return pull.dot(pull) > kTrace * kTrace;
+}
+
 /// No new model changes the force by more than a step: the blend fades as the old planes had it and pull is taken out as the new ones have it, each by a step
-/// at most, and where their normals differ both together went to twice that (0.083 N, as a hand left a wall that it had pinched).
+/// at most, and where their normals differ both together went to twice that (0.083 N, as a hand left a wall that it had pinched). But what leaves never sticks.
 Vec3 withinAStep(const HandLoopConfig& config, const HandLoopState& state, const Vec3& before, const Vec3& force) noexcept {  // [N]
   const Vec3 change = force - before;          // [N]
-  const bool far = change.dot(change) > config.blendStep * config.blendStep;
-  return state.replaced && far ? Vec3(before + clampLength(change, config.blendStep)) : force;
+  if (!state.replaced || !(change.dot(change) > config.blendStep * config.blendStep)) return force;
+  const Vec3 near = before + clampLength(change, config.blendStep);
+  return pulls(state.model, near) && !pulls(state.model, force) ? force : near;
 }
 
 /// The wanted force before the limits; never more adhesive than a tick ago. What is taken out as adhesion is taken out of the
