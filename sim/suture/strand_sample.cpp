@@ -57,9 +57,8 @@ SurfacePoint ofNearerBowel(const Model& m, const SurfaceNow& tissue, const Stran
   if (other < 0 || pressedIn(near)) return near;
   const SurfacePoint there = nearestSurface(m.surface, tissue, x.predicted, kReach, other);
   if (there.triangle < 0 || there.distance >= near.distance) return near;
-  const int vertex = other;
   if (there.distance >= -kOnTissue) {
-    follow(m, x.index, vertex, s);
+    follow(m, x.index, other, s);
     return there;
   }
   other = -1;                                  // deep at once: known by its far side
