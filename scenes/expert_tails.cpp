@@ -30,6 +30,7 @@ constexpr double kWallsMeet = 2e-3;            // [m] of gap between two ends th
 constexpr double kDrawSpeed = 0.04, kDrawReach = 0.06;           // [m/s] [m] of one stroke
 constexpr double kMostPull = 1.5;              // [N] at which a hand that feels draws no farther
 constexpr double kUp = 0.02, kLetGo = 0.4, kRiseSpeed = 0.08;    // [m] [s] [m/s] of hands that let go and rise
+constexpr double kLook = 2.0;                  // [s] with no hand on the thread, in which a procedure looks at a stitch that stays
 constexpr double kStalls = 0.9;                // [1] of it: over cut edges, where it slows down as it pulls, it comes no farther
 const Vec3 kDrawWay = Vec3(0.5, 0.6, 0.6).normalized();          // [1] of the driver: up, toward the surgeon, to its own side
 
@@ -196,8 +197,8 @@ bool runDraw(const Scene& s, std::string& failure) {
   return false;
 }
 
-/// Phase 0: both hands let go and rise. 1: looks. 2 to 4: the driver takes hold. 5: it draws. A knot whose throws this draws tight, and that holds, stays:
-/// it cannot be taken out.
+/// Phase 0: both hands let go and rise. 1: looks. 2 to 4: the driver takes hold. 5: it draws. A knot whose throws this draws tight, and that holds, stays,
+/// let go and looked at as any other: it cannot be taken out.
 bool runTakeOut(const Scene& s) {
   ExpertState& e = s.memory;
   if (e.phase == 0) {
@@ -212,13 +213,14 @@ bool runTakeOut(const Scene& s) {
   } else if (s.state.strand.holeCount == 0) {
     return true;
   } else if (e.phase == 1) {
-    if (finishedLoop(s.model, s.state)) return true;
+    if (finishedLoop(s.model, s.state)) return s.inPhase > kLook;
     e.place = needlePlace(s);
     nextPhase(s);
   } else if (e.phase <= 4) {
     if (takeThread(s, kRight, 2, needlePlace, false)) beginStroke(s);
   } else if (drawStroke(s, true)) {
-    e.phase = 1;
+    e.phase = finishedLoop(s.model, s.state) ? 0 : 1;
+    e.phaseStart = s.state.step;
   }
   return false;
 }

@@ -60,7 +60,12 @@ TEST_F(LostStitch, WhoseKnotHoldsAfterAllIsKept) {
   ends.tieOff();
   ends.state.threadContacts.cut[threadSpot(ends.model.strand, ends.state.assist->tip + 20e-3).node] = 1;   // the needle is off
   ASSERT_TRUE(finishedLoop(ends.model, ends.state));
-  run("", "[[action]]\ndo = \"take_out\"\n\n[[action]]\ndo = \"fresh_thread\"\n");
+  const std::uint64_t letGo = ends.state.step;
+  run("", "[[action]]\ndo = \"take_out\"\n");
+  const double looked = static_cast<double>(ends.state.step - letGo) * ends.model.params.dt;   // [s]
+  EXPECT_GT(looked, 2.0);                      // a procedure looks along the seam before the next thread
+  for (const ToolState& tool : ends.state.tools) EXPECT_LT(tool.threadCoordinate, 0.0);
+  run("", "[[action]]\ndo = \"fresh_thread\"\n");
   EXPECT_TRUE(failures.empty()) << failures.front();
   EXPECT_EQ(ends.state.stitches->count, 1);
   EXPECT_EQ(ends.state.supply->handed, 1);
