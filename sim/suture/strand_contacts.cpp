@@ -6,6 +6,7 @@
 #include "sim/contact/geometry.h"
 #include "sim/suture/exchange.h"
 #include "sim/suture/holes.h"
+#include "sim/suture/pierced_wall.h"
 #include "sim/suture/strand_sample.h"
 #include "sim/tools/tool_shape.h"
 
@@ -18,6 +19,7 @@ constexpr double kSolidStiffness = 800.0;      // [N/m] strand against steel, pe
 constexpr double kStickSlide = 2e-7;           // [m] per step: below it friction holds (0.2 mm/s of creep)
 constexpr double kWedged = 0.3e-3;             // [m] below an edge: so far thread has cut in
 constexpr double kCoarse = 1.5e-3;             // [m] nodes that lie closer cannot pass a wall on both sides
+constexpr double kComesThrough = 0.8e-3;       // [m] below the face that a node is known to lie on: it comes through the wall from the other
 
 double triangleCompliance(const Model& m, int triangle, const std::array<double, 3>& w) {
   const auto& v = m.surface.triangles[triangle];
@@ -129,14 +131,12 @@ Vec3 acrossThread(const Model& m, const StrandState& s, const StrandSample& x, c
 }
 
 /// Thread that lies in the wall end on but does not end there has sunk through an edge: a push along it would hook it there. It leaves over the
-/// edge, across itself; false where there is no such way. A bend that only now meets the wall with its tip is stopped like anything else.
-bool leavesAcross(const Model& m, const StrandSample& x, const State& s, SurfacePoint& near) {
-  if (!m.params.thread.knots || !x.thread || s.cut || isEnd(m, s, x.index)) return true;
+/// edge, across itself, if there is one near. A bend that only now meets the wall with its tip is stopped like anything else.
+SurfacePoint leavesAcross(const Model& m, const StrandSample& x, const State& s, const SurfacePoint& near) {
+  if (!m.params.thread.knots || !x.thread || s.cut || isEnd(m, s, x.index)) return near;
   const Vec3 along = strandTangent(m.strand, s.strand, x.coordinate);
   const bool outside = near.normal.dot(x.position - near.point) >= 0.0;   // as the step begins
-  if (outside || !endOn(along, near.normal)) return true;
-  near = outAcross(m, x, near, s);
-  return !endOn(along, near.normal);
+  return outside || !endOn(along, near.normal) ? near : outAcross(m, x, near, s);
 }
 
 /// The push of the last step that still counts. Between two bowels, thread caught between two walls meets now the one, now the other: what the one pushed is
@@ -163,17 +163,21 @@ bool leavesSlowly(const Model& m, const State& s, const StrandSample& x) {
   return m.bowels.count > 1 && x.thread && !s.cut;
 }
 
-/// Then it is not thrown out in one step (with 40 N, at an edge): taken back at once is no more than it moves in this step, or a little.  [m]
+/// Then it is not thrown out in one step (with 40 N, at an edge): taken back at once is no more than it moves in this step, or a little. Thread that is not
+/// tied and comes through a wall from its other side (pierced_wall.h) comes at that pace, however it moves.  [m]
 double sunkBefore(const Model& m, const State& s, const StrandSample& x, const Touch& touch) {
   constexpr double kOutPerStep = 3e-4;         // [m]
+  const double sunk = touch.normal.dot(touch.point - x.position);   // [m] as the step begins
+  if (!m.params.thread.knots && x.index < m.strand.nodes && sunk > kComesThrough) return sunk - kOutPerStep;
   if (!leavesSlowly(m, s, x)) return 0.0;
   const double deep = touch.normal.dot(touch.point - x.predicted), way = (x.predicted - x.position).norm();   // [m]
   return std::fmax(0.0, deep - std::fmax(kOutPerStep, way));
 }
 
-void touchTissue(const Model& m, const StrandSample& x, SurfacePoint near, State& state, int& fresh) {
+void touchTissue(const Model& m, const StrandSample& x, const SurfacePoint& nearest, State& state, int& fresh) {
   const StrandState& s = state.strand;
-  if (near.triangle < 0 || near.distance < -kSkinDepth || !leavesAcross(m, x, state, near)) return;
+  if (nearest.triangle < 0 || nearest.distance < -kSkinDepth) return;
+  const SurfacePoint near = leavesAcross(m, x, state, nearest);
   Touch t = touchAt(m, near, acrossThread(m, s, x, near.normal), state);
   t.point -= sunkBefore(m, state, x, t) * t.normal;
   if (throughWall(m, x, state, fresh, near.triangle, near.normal)) {
@@ -251,7 +255,10 @@ void linkContacts(const Model& m, const SolidMotion& motion, State& state) {
   for (int i = 0; i < sampleCount(m.strand); ++i) {
     const StrandSample x = sampleAt(m, state.strand, i);
     const SurfacePoint near = nearTissue(m, x, state);
-    if (x.thread && i > 0) touchBetween(m, i, before, near, state, fresh);
+    if (x.thread && i > 0) {
+      touchBetween(m, i, before, near, state, fresh);
+      drawBack(m, i, before, near, state);
+    }
     before = near;
     touchTissue(m, x, near, state, fresh);
     if (m.params.thread.knots && i < m.strand.nodes) continue;   // thread meets tools within its own solve (knotting.h)

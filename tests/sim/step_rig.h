@@ -1,5 +1,5 @@
 #pragma once
-/// A standing wall of tissue, 4 mm thick, fixed at its foot, with both tools, needle and thread: the whole step without a scene.
+/// A standing wall of tissue, 4 mm thick unless a test says otherwise, fixed at its foot, with both tools, needle and thread: the whole step without a scene.
 ///   x through the wall (faces at 0 and 4 mm), y along it, z up (foot at 0, top edge at 16 mm). Weightless unless a test sets gravity.
 #include <cmath>
 #include <stdexcept>
@@ -12,11 +12,11 @@ namespace halsted {
 
 inline constexpr double kWallX = 4e-3, kWallY = 24e-3, kWallZ = 16e-3;   // [m]
 
-inline TetMesh wallMesh() {
-  TetMesh mesh = blockMesh(2, 12, 8, Vec3(kWallX, kWallY, kWallZ));
+inline TetMesh wallMesh(double thickness = kWallX) {   // [m]
+  TetMesh mesh = blockMesh(2, 12, 8, Vec3(thickness, kWallY, kWallZ));
   for (int i = 0; i < static_cast<int>(mesh.vertices.size()); ++i)
     if (mesh.vertices[i].z() < 1e-9) mesh.fixed.push_back(i);
-  for (const Vec3& corner : {Vec3(0, 0, kWallZ), Vec3(kWallX, 0, kWallZ), Vec3(kWallX, kWallY, kWallZ), Vec3(0, kWallY, kWallZ)})
+  for (const Vec3& corner : {Vec3(0, 0, kWallZ), Vec3(thickness, 0, kWallZ), Vec3(thickness, kWallY, kWallZ), Vec3(0, kWallY, kWallZ)})
     for (int i = 0; i < static_cast<int>(mesh.vertices.size()); ++i)
       if ((mesh.vertices[i] - corner).norm() < 1e-9) mesh.rim.push_back(i);
   return mesh;
@@ -65,7 +65,7 @@ struct StepRig {
   StepInput input;
   StepOutput out;
 
-  StepRig(const SimParams& p, const Pose& needle, const Pose& left = kAway) : model(buildModel(p, wallMesh(), {})) {
+  StepRig(const SimParams& p, const Pose& needle, const Pose& left = kAway, double thickness = kWallX) : model(buildModel(p, wallMesh(thickness), {})) {   // [m]
     const Pose inTool = initialState(model, {Pose{}, Pose{}}).tools[kRight].needleInTool;
     const Pose right = compose(needle, inverse(inTool));
     state = initialState(model, {left, right});

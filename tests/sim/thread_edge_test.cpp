@@ -156,6 +156,80 @@ TEST(ThreadOverAnEdge, ThreadThatHasSunkThroughComesWithThePull) {
   EXPECT_LT(most, 0.3);
 }
 
+/// Thread that goes straight through a thin wall far below its edge, with no hole, both ends free: a node on either face, and a short tail behind it.
+struct PiercingThread : StepRig {
+  static constexpr double kThin = 2e-3, kTail = 20e-3;   // [m]
+  PiercingThread(bool knots, double segment) : StepRig(params(knots, segment), kNeedleAway, kAway, kThin) {   // [m]
+    model.mesh.triangleLayer = wallFaces(model.mesh, model.surface, kThin);
+    for (int i = 0; i < model.strand.nodes; ++i) {
+      state.strand.position[i] = Vec3(kThin + kTail - model.strand.place[i], 0.5 * kWallY, 0.5 * kWallZ);
+      state.strand.nearVertex[i] = nearestVertex(model.surface, state.tissue.position, state.strand.position[i]);
+    }
+    state.strand.needle = KnotRig::needlePose(model.strand, state.strand.position);
+    state.tools[kRight].holdsNeedle = state.tools[kRight].closed = false;
+    input.tools[kRight].jaw = 1.0;
+  }
+  static SimParams params(bool knots, double segment) {   // [m]
+    SimParams p = wallParams();
+    p.thread.segmentLength = segment;
+    p.thread.knots = knots;
+    return p;
+  }
+  /// Middles of segments deeper than the skin.
+  int through() const {
+    int count = 0;
+    for (int i = 1; i < model.strand.nodes; ++i) {
+      const Vec3 middle = 0.5 * (state.strand.position[i - 1] + state.strand.position[i]);
+      int vertex = nearestVertex(model.surface, state.tissue.position, middle);
+      count += nearestTriangle(model.surface, state.tissue.position, middle, vertex).distance < -0.3e-3;
+    }
+    return count;
+  }
+  double pushed() const {                      // [N] at most
+    double most = 0.0;                         // [N]
+    for (int c = 0; c < state.strand.contactCount; ++c) most = std::max(most, state.strand.contacts[c].normalForce);
+    return most;
+  }
+};
+
+/// Its nodes, pushed out on either side or left lying in the wall, pinched it or stayed in it for good.
+TEST(PiercedWall, ThreadComesBackOutByItsNearerEnd) {
+  for (const auto& [knots, segment] : {std::pair{false, 2e-3}, {true, 2e-3}, {true, 1.1e-3}, {true, 0.5e-3}}) {
+    PiercingThread rig(knots, segment);
+    ASSERT_GE(rig.through(), 1);
+    double most = 0.0;                         // [N]
+    int steps = 0;
+    for (; steps < 2000 && rig.state.strand.position[0].x() > -1e-3; ++steps) {   // the tail, not the needle, comes through
+      rig.step();
+      most = std::max(most, rig.pushed());
+    }
+    std::printf("%s, nodes %.1f mm apart: out after %d steps, pushed with at most %.2f N\n", knots ? "meets itself" : "does not", 1e3 * segment, steps, most);
+    EXPECT_LT(steps, 1000);
+    rig.run(100);
+    EXPECT_EQ(rig.through(), 0);
+    EXPECT_LT(rig.pushed(), 0.1);
+    EXPECT_LT(most, 2.5);                      // drawn, not thrown (40 N)
+  }
+}
+
+/// Held on both sides of the wall, by jaws and by its needle, it has no way out but through the folds of a wall that it gathers: there it shook the rim.
+TEST(PiercedWall, ThreadThatIsHeldOnBothSidesStaysUntilItIsLetGo) {
+  PiercingThread rig(false, PiercingThread::kThin);
+  constexpr int kHeld = 4;                     // node
+  ToolState& tool = rig.state.tools[kLeft];
+  tool.threadCoordinate = rig.model.strand.place[kHeld];
+  tool.closed = true;
+  tool.jaw = rig.input.tools[kLeft].jaw = 0.0;
+  tool.device = tool.proxy = rig.input.tools[kLeft].pose = frame(rig.state.strand.position[kHeld], Vec3::UnitY(), Vec3::UnitX());
+  rig.run(200);
+  EXPECT_EQ(rig.through(), 1);
+  EXPECT_GT(rig.state.strand.position[kHeld].x(), PiercingThread::kThin);
+  rig.input.tools[kLeft].jaw = 1.0;
+  rig.run(500);
+  EXPECT_EQ(rig.through(), 0);
+  EXPECT_LT(rig.pushed(), 0.1);
+}
+
 /// Thread thrown like an arrow at the top of a strip that can be cut, beside its edge.
 struct Arrow : CutRig {
   static constexpr double kFine = 0.5e-3, kTop = kStripY * kCell;     // [m]

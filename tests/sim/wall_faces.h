@@ -10,12 +10,12 @@
 namespace halsted {
 
 /// Of each triangle: 0 at x = 0, the serosa; 1 at the other face, the mucosa; all round it is edge.
-inline std::vector<int> wallFaces(const TetMesh& mesh, const SurfaceModel& surface) {
+inline std::vector<int> wallFaces(const TetMesh& mesh, const SurfaceModel& surface, double thickness = kWallX) {   // [m]
   std::vector<int> layer(surface.triangles.size(), kEdgeFace);
   for (std::size_t f = 0; f < layer.size(); ++f)
     for (const int face : {0, 1}) {
       const auto& t = surface.triangles[f];
-      if (std::all_of(t.begin(), t.end(), [&](int v) { return std::fabs(mesh.vertices[v].x() - face * kWallX) < 1e-9; })) layer[f] = face;
+      if (std::all_of(t.begin(), t.end(), [&](int v) { return std::fabs(mesh.vertices[v].x() - face * thickness) < 1e-9; })) layer[f] = face;
     }
   return layer;
 }

@@ -1,0 +1,65 @@
+#include "sim/suture/pierced_wall.h"
+
+#include <cmath>
+
+#include "sim/suture/edge_exit.h"
+#include "sim/suture/strand_sample.h"
+
+namespace halsted {
+namespace {
+
+constexpr double kThrough = 0.16;              // [1] of its length: so deep lies the middle of a segment that goes through, not over a corner
+
+/// Does it lead from one face to the other? Not where thread lies along a wall, and a node of it is taken for one on the wall's far face.
+bool leadsAcross(const Vec3& along, const SurfacePoint& before, const SurfacePoint& now) {   // [1]
+  constexpr double kSteep = 0.3;               // [1] sine
+  return along.dot(before.normal) < -kSteep && along.dot(now.normal) > kSteep;
+}
+
+/// Half-way between the two it lies deep in the tissue, and no edge is near.
+bool pierces(const Model& m, int node, const Vec3& along, const State& state) {   // [1]
+  const SurfaceNow tissue(state.tissue.position, state.tissue.gone);
+  const StrandSample x = sampleBetween(m, state.strand, node);
+  int vertex = state.strand.nearVertex[node];
+  const SurfacePoint near = nearestTriangle(m.surface, tissue, x.position, vertex);   // of all
+  if (near.distance > -kThrough * segmentAt(m.strand, x.coordinate) || m.mesh.triangleLayer[near.triangle] == kEdgeFace) return false;
+  return exitOverEdge(m.surface, m.mesh.triangleLayer, tissue, {x.position, along, near, vertex}, kSkinDepth).triangle < 0;
+}
+
+enum class Holds { kNothing, kHole, kHand };
+
+/// Thread from a place to the first thing on its way: its end, a hole, or jaws; so do the needle's, wherever it is.
+struct Way {
+  double length = 0.0;                         // [m]
+  Holds ends = Holds::kNothing;
+};
+
+Way wayFrom(const Model& m, const State& s, double place, double direction) {   // [m]; [1] -1 toward the tail, +1 toward the needle
+  Way way = direction < 0.0 ? Way{place, Holds::kNothing} : Way{m.strand.length - place, Holds::kHand};
+  const auto meet = [&](double at, Holds what) {   // [m]
+    const double off = direction * (at - place);
+    if (off >= 0.0 && off < way.length) way = {off, what};
+  };
+  for (int i = 0; i < s.strand.holeCount; ++i) meet(s.strand.holes[i].coordinate, Holds::kHole);
+  for (const ToolState& tool : s.tools)
+    if (tool.threadCoordinate >= 0.0) meet(tool.threadCoordinate, Holds::kHand);
+  for (std::size_t i = 0; i < s.threadContacts.cut.size(); ++i)
+    if (s.threadContacts.cut[i] != 0) meet(m.strand.place[i], Holds::kNothing);
+  return way;
+}
+
+/// The shorter way is that of the node before, back to the tail; only a hand lets nothing through.
+bool comesBack(const Way& back, const Way& ahead) { return back.ends != Holds::kHand && (ahead.ends == Holds::kHand || back.length < ahead.length); }
+
+}  // namespace
+
+void drawBack(const Model& m, int node, const SurfacePoint& before, const SurfacePoint& now, State& state) {
+  const Vec3 along = (state.strand.position[node] - state.strand.position[node - 1]).normalized();
+  if (state.cut || !overEdge(m, before, now) || !leadsAcross(along, before, now) || !pierces(m, node, along, state)) return;
+  const Way back = wayFrom(m, state, m.strand.place[node - 1], -1.0), ahead = wayFrom(m, state, m.strand.place[node], 1.0);
+  if (back.ends != Holds::kNothing && ahead.ends != Holds::kNothing) return;
+  const bool tail = comesBack(back, ahead);
+  follow(m, tail ? node - 1 : node, state.strand.nearVertex[tail ? node : node - 1], state.strand);
+}
+
+}  // namespace halsted
