@@ -57,9 +57,16 @@ double depthInTools(const Model& m, const State& s, const Vec3& p, double coordi
   return deepest;
 }
 
-/// The face of the tissue that a segment goes through, -1 none.
-int faceCrossed(const Model& m, const State& s, const Vec3& a, const Vec3& b) {
+/// A face of the tissue that a segment goes through.
+struct Crossing {
+  double share = 0.0;                          // [1] of the segment
+  int face = -1;
+};
+
+/// In the order in which the segment goes through them.
+std::vector<Crossing> crossings(const Model& m, const State& s, const Vec3& a, const Vec3& b) {   // [m]
   const Vec3 way = b - a;
+  std::vector<Crossing> all;
   for (std::size_t f = 0; f < m.surface.triangles.size(); ++f) {
     const auto& v = m.surface.triangles[f];
     const Vec3& p = s.tissue.position[v[0]];
@@ -69,24 +76,32 @@ int faceCrossed(const Model& m, const State& s, const Vec3& a, const Vec3& b) {
     if (det == 0.0) continue;
     const Vec3 q = (a - p).cross(e1);
     const double u = (a - p).dot(h) / det, w = way.dot(q) / det, t = e2.dot(q) / det;   // [1]
-    if (u >= 0.0 && w >= 0.0 && u + w <= 1.0 && t >= 0.0 && t < 1.0) return static_cast<int>(f);
+    if (u >= 0.0 && w >= 0.0 && u + w <= 1.0 && t >= 0.0 && t < 1.0) all.push_back({t, static_cast<int>(f)});
   }
-  return -1;
+  std::sort(all.begin(), all.end(), [](const Crossing& x, const Crossing& y) { return x.share < y.share; });
+  return all;
 }
 
 /// In by one side of a wall and out by the other side of the same one, no hole on the way, and deep in between: cut off at a corner is not through.
 int timesThrough(const Model& m, const State& s) {
   int times = 0, in = -1;                      // the face by which it went in
   double deepest = 0.0;                        // [m] since
+  const auto goOn = [&](const Vec3& from, const Vec3& to) {   // [m]
+    if (in >= 0) deepest = std::max({deepest, depthInTissue(m, s, from), depthInTissue(m, s, 0.5 * (from + to))});
+  };
   for (int i = 0; i + 1 < static_cast<int>(s.strand.position.size()); ++i) {
     const Vec3 &a = s.strand.position[i], &b = s.strand.position[i + 1];
     if (ledByHole(s.strand, m.strand.place[i]) || ledByHole(s.strand, m.strand.place[i + 1])) { in = -1; continue; }
-    const int face = faceCrossed(m, s, a, b);
-    if (in >= 0) deepest = std::max({deepest, depthInTissue(m, s, a), depthInTissue(m, s, 0.5 * (a + b))});
-    if (face < 0) continue;
-    times += in >= 0 && oppositeFaces(m, in, face) && deepest > kDeep;
-    in = in < 0 ? face : -1;
-    deepest = 0.0;
+    Vec3 from = a;                             // [m]
+    for (const Crossing& c : crossings(m, s, a, b)) {
+      const Vec3 at = a + c.share * (b - a);   // [m]
+      goOn(from, at);
+      times += in >= 0 && oppositeFaces(m, in, c.face) && deepest > kDeep;
+      in = in < 0 ? c.face : -1;
+      deepest = 0.0;
+      from = at;
+    }
+    goOn(from, b);
   }
   return times;
 }

@@ -1,0 +1,37 @@
+/// What the watch over wild hands counts.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/app/abuse_watch.h"
+#include "tests/app/scenario_for_tests.h"
+
+namespace halsted::app {
+namespace {
+
+/// Thread straight from outside a bowel into its lumen, square to the wall; no hole leads it.
+struct Piercing {
+  const Scenario scenario = scenarioFromFile(testing::sourceFolder() + "/scenes/stay/expert.toml", {"thread.assist=knot"});
+  Lockstep run{scenario};
+  const Model& model = scenario.model;
+  State& state = run.state();
+  const Opening& end = model.bowels.opening[1];
+  const double radius = (model.mesh.vertices[model.bowels.rim[1].front()] - end.centre).norm();   // [m]
+
+  /// Nodes `segment` [m] apart: from six segments above the bowel's top, shifted by a `share` [1] of one, to 10 mm below it, where the rest lie in a heap.
+  int through(double segment, double share) {
+    for (int i = 0; i < model.strand.nodes; ++i)
+      state.strand.position[i] = end.centre - 15e-3 * end.axis + (radius + std::fmax(-10e-3, (6 + share - i) * segment)) * end.up;
+    return threadDepth(model, state).through;
+  }
+};
+
+/// However its nodes lie to the faces: one segment may go in and out again, or several lie in the wall.
+TEST(AbuseWatch, CountsThreadThroughAWallWhereverItsNodesLie) {
+  Piercing thread;
+  for (const double segment : {0.5e-3, 1.1e-3, 2.0e-3, 3.5e-3})  // [m] the wall is 2 mm thick
+    for (const double share : {0.0, 0.2, 0.4, 0.6, 0.8}) EXPECT_EQ(thread.through(segment, share), 1) << segment << " " << share;
+}
+
+}  // namespace
+}  // namespace halsted::app
