@@ -1,5 +1,6 @@
 #include "sim/suture/pierced_wall.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/suture/edge_exit.h"
@@ -21,43 +22,53 @@ bool pierces(const Model& m, int node, const Vec3& along, const State& state) { 
   const SurfaceNow tissue(state.tissue.position, state.tissue.gone);
   const StrandSample x = sampleBetween(m, state.strand, node);
   int vertex = state.strand.nearVertex[node];
-  const SurfacePoint near = nearestTriangle(m.surface, tissue, x.position, vertex);   // of all
+  const SurfacePoint near = nearestTriangle(m.surface, tissue, x.position, vertex);   // of either face
   if (near.distance > -kThrough * segmentAt(m.strand, x.coordinate) || m.mesh.triangleLayer[near.triangle] == kEdgeFace) return false;
   return exitOverEdge(m.surface, m.mesh.triangleLayer, tissue, {x.position, along, near, vertex}, kSkinDepth).triangle < 0;
 }
 
-enum class Holds { kNothing, kHole, kHand };
+enum class Ends { kLoose, kNeedle, kHole, kHand };
 
-/// Thread from a place to the first thing on its way: its end, a hole, or jaws; so do the needle's, wherever it is.
+/// Thread from a place to the first thing on its way: its end, the needle while nobody holds that, a hole, or jaws.
 struct Way {
   double length = 0.0;                         // [m]
-  Holds ends = Holds::kNothing;
+  Ends ends = Ends::kLoose;
 };
 
+bool isDrawn(const Way& w) { return w.ends == Ends::kHole || w.ends == Ends::kHand; }
+bool letsThrough(const Way& w) { return w.ends == Ends::kLoose || w.ends == Ends::kHole; }
+
+Way toNeedle(const Model& m, const State& s, double place) {   // [m]
+  const bool held = std::any_of(s.tools.begin(), s.tools.end(), [](const ToolState& t) { return t.holdsNeedle; });
+  return {m.strand.length - place, held ? Ends::kHand : Ends::kNeedle};
+}
+
 Way wayFrom(const Model& m, const State& s, double place, double direction) {   // [m]; [1] -1 toward the tail, +1 toward the needle
-  Way way = direction < 0.0 ? Way{place, Holds::kNothing} : Way{m.strand.length - place, Holds::kHand};
-  const auto meet = [&](double at, Holds what) {   // [m]
+  Way way = direction < 0.0 ? Way{place, Ends::kLoose} : toNeedle(m, s, place);
+  const auto meet = [&](double at, Ends what) {   // [m]
     const double off = direction * (at - place);
     if (off >= 0.0 && off < way.length) way = {off, what};
   };
-  for (int i = 0; i < s.strand.holeCount; ++i) meet(s.strand.holes[i].coordinate, Holds::kHole);
+  for (int i = 0; i < s.strand.holeCount; ++i) meet(s.strand.holes[i].coordinate, Ends::kHole);
   for (const ToolState& tool : s.tools)
-    if (tool.threadCoordinate >= 0.0) meet(tool.threadCoordinate, Holds::kHand);
+    if (tool.threadCoordinate >= 0.0) meet(tool.threadCoordinate, Ends::kHand);
   for (std::size_t i = 0; i < s.threadContacts.cut.size(); ++i)
-    if (s.threadContacts.cut[i] != 0) meet(m.strand.place[i], Holds::kNothing);
+    if (s.threadContacts.cut[i] != 0) meet(m.strand.place[i], Ends::kLoose);
   return way;
 }
 
-/// The shorter way is that of the node before, back to the tail; only a hand lets nothing through.
-bool comesBack(const Way& back, const Way& ahead) { return back.ends != Holds::kHand && (ahead.ends == Holds::kHand || back.length < ahead.length); }
+/// Is the shorter way out that of the node before, toward the tail?
+bool comesBack(const Way& back, const Way& ahead) { return letsThrough(back) && (!letsThrough(ahead) || back.length < ahead.length); }
 
 }  // namespace
 
 void drawBack(const Model& m, int node, const SurfacePoint& before, const SurfacePoint& now, State& state) {
+  if (state.cut || !overEdge(m, before, now)) return;
   const Vec3 along = (state.strand.position[node] - state.strand.position[node - 1]).normalized();
-  if (state.cut || !overEdge(m, before, now) || !leadsAcross(along, before, now) || !pierces(m, node, along, state)) return;
+  if (!leadsAcross(along, before, now) || !pierces(m, node, along, state)) return;
   const Way back = wayFrom(m, state, m.strand.place[node - 1], -1.0), ahead = wayFrom(m, state, m.strand.place[node], 1.0);
-  if (back.ends != Holds::kNothing && ahead.ends != Holds::kNothing) return;
+  if (isDrawn(back) && isDrawn(ahead)) return;
+  if (!letsThrough(back) && !letsThrough(ahead)) return;
   const bool tail = comesBack(back, ahead);
   follow(m, tail ? node - 1 : node, state.strand.nearVertex[tail ? node : node - 1], state.strand);
 }
