@@ -63,7 +63,7 @@ bool comesBack(const Way& back, const Way& ahead) { return letsThrough(back) && 
 }  // namespace
 
 void drawBack(const Model& m, int node, const SurfacePoint& before, const SurfacePoint& now, State& state) {
-  if (state.cut || !overEdge(m, before, now)) return;
+  if (state.cut || (m.params.thread.knots && m.bowels.count < 2) || !overEdge(m, before, now)) return;
   const Vec3 along = (state.strand.position[node] - state.strand.position[node - 1]).normalized();
   if (!leadsAcross(along, before, now) || !pierces(m, node, along, state)) return;
   const Way back = wayFrom(m, state, m.strand.place[node - 1], -1.0), ahead = wayFrom(m, state, m.strand.place[node], 1.0);

@@ -130,13 +130,16 @@ Vec3 acrossThread(const Model& m, const StrandState& s, const StrandSample& x, c
   return endOn(along, normal) ? normal : Vec3((normal - normal.dot(along) * along).normalized());
 }
 
-/// Thread that lies in the wall end on but does not end there has sunk through an edge: a push along it would hook it there. It leaves over the
-/// edge, across itself, if there is one near. A bend that only now meets the wall with its tip is stopped like anything else.
-SurfacePoint leavesAcross(const Model& m, const StrandSample& x, const State& s, const SurfacePoint& near) {
-  if (!m.params.thread.knots || !x.thread || s.cut || isEnd(m, s, x.index)) return near;
+/// Thread that lies in the wall end on but does not end there has sunk through an edge: a push along it would hook it there (a knot tied over it keeps less).
+/// It leaves over the edge, across itself; false where there is no such way, but between two bowels, where it is drawn back (pierced_wall.h). A bend that
+/// only now meets the wall with its tip is stopped like anything else.
+bool leavesAcross(const Model& m, const StrandSample& x, const State& s, SurfacePoint& near) {
+  if (!m.params.thread.knots || !x.thread || s.cut || isEnd(m, s, x.index)) return true;
   const Vec3 along = strandTangent(m.strand, s.strand, x.coordinate);
   const bool outside = near.normal.dot(x.position - near.point) >= 0.0;   // as the step begins
-  return outside || !endOn(along, near.normal) ? near : outAcross(m, x, near, s);
+  if (outside || !endOn(along, near.normal)) return true;
+  near = outAcross(m, x, near, s);
+  return m.bowels.count > 1 || !endOn(along, near.normal);
 }
 
 /// The push of the last step that still counts. Between two bowels, thread caught between two walls meets now the one, now the other: what the one pushed is
@@ -174,10 +177,9 @@ double sunkBefore(const Model& m, const State& s, const StrandSample& x, const T
   return std::fmax(0.0, deep - std::fmax(kOutPerStep, way));
 }
 
-void touchTissue(const Model& m, const StrandSample& x, const SurfacePoint& nearest, State& state, int& fresh) {
+void touchTissue(const Model& m, const StrandSample& x, SurfacePoint near, State& state, int& fresh) {
   const StrandState& s = state.strand;
-  if (nearest.triangle < 0 || nearest.distance < -kSkinDepth) return;
-  const SurfacePoint near = leavesAcross(m, x, state, nearest);
+  if (near.triangle < 0 || near.distance < -kSkinDepth || !leavesAcross(m, x, state, near)) return;
   Touch t = touchAt(m, near, acrossThread(m, s, x, near.normal), state);
   t.point -= sunkBefore(m, state, x, t) * t.normal;
   if (throughWall(m, x, state, fresh, near.triangle, near.normal)) {

@@ -161,6 +161,7 @@ struct PiercingThread : StepRig {
   static constexpr double kThin = 2e-3, kTail = 20e-3;   // [m]
   PiercingThread(bool knots, double segment) : StepRig(params(knots, segment), kNeedleAway, kAway, kThin) {   // [m]
     model.mesh.triangleLayer = wallFaces(model.mesh, model.surface, kThin);
+    if (knots) model.bowels.count = 2;         // such thread is drawn back between two bowels only
     for (int i = 0; i < model.strand.nodes; ++i) {
       state.strand.position[i] = Vec3(kThin + kTail - model.strand.place[i], 0.5 * kWallY, 0.5 * kWallZ);
       state.strand.nearVertex[i] = nearestVertex(model.surface, state.tissue.position, state.strand.position[i]);
