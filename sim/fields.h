@@ -111,11 +111,13 @@ template <class V> void visitMembers(TissueState& object, FieldWalk<V>& walk) {
 HALSTED_FIELDS(CutState, piece, bare, tie, edge, pieces, goneTets)
 HALSTED_FIELDS(Hole, tet, weight, coordinate, force, slip, bite, role, entryCosine)
 HALSTED_FIELDS(StrandContact, sample, feature, normalForce, force, weight)
-/// Of the holes only those that there are.
+/// Of the holes only those that there are; nothing of what comes through walls where thread can be knotted.
 template <class V> void visitMembers(StrandState& object, FieldWalk<V>& walk) {
-  auto& [position, velocity, tension, needle, needleVelocity, needleSpin, nearVertex, otherVertex, holes, holeCount, contacts, contactCount, bitesBegun] = object;
+  auto& [position, velocity, tension, needle, needleVelocity, needleSpin, nearVertex, otherVertex, comesThrough, holes, holeCount, contacts, contactCount, bitesBegun] =
+      object;
   walk.members("position, velocity, tension, needle, needleVelocity, needleSpin, nearVertex, otherVertex, holeCount, contacts, contactCount, bitesBegun",
                position, velocity, tension, needle, needleVelocity, needleSpin, nearVertex, otherVertex, holeCount, contacts, contactCount, bitesBegun);
+  if (!comesThrough.empty()) walk.members("comesThrough", comesThrough);
   if (holeCount < 0 || holeCount > StrandState::kMaxHoles) holeCount = 0;   // read from damaged data
   walk.members("holes", std::span<Hole>(holes.data(), static_cast<std::size_t>(holeCount)));
 }

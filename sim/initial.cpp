@@ -35,6 +35,7 @@ void beginSuture(const Model& m, State& s) {
   s.tissue = restState(m.tissue);
   if (m.join.present()) s.metrics.seam.emplace();
   s.strand = restState(m.strand, beginsWithNeedle(m) ? loadDriver(m, s.tools[kRight]) : needleOnTable());
+  if (!m.params.thread.knots) s.strand.comesThrough.assign(m.strand.nodes, 0);
   if (m.params.thread.knots) {
     const ThreadParams& t = m.params.thread;
     s.threadContacts = restContacts(m.strand);

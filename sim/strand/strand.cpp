@@ -33,6 +33,7 @@ void layAtRest(const StrandModel& m, const Pose& needle, StrandState& s) {
   std::fill(s.tension.begin(), s.tension.end(), 0.0);
   std::fill(s.nearVertex.begin(), s.nearVertex.end(), 0);
   std::fill(s.otherVertex.begin(), s.otherVertex.end(), -1);
+  std::fill(s.comesThrough.begin(), s.comesThrough.end(), 0);
   s.holes.fill(Hole{});
   s.contacts.fill(StrandContact{});
   s.holeCount = s.contactCount = 0;

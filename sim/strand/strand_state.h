@@ -40,6 +40,7 @@ struct StrandState {
   Vec3 needleSpin = Vec3::Zero();              // [rad/s] world
   std::vector<std::int32_t> nearVertex;        // per sample (nodes, then needle samples): closest surface vertex known
   std::vector<std::int32_t> otherVertex;       // the same on the other bowel, where there are two; -1 not known
+  std::vector<std::int32_t> comesThrough;      // per node: 1 while it comes back through a wall (sim/suture/pierced_wall.h); empty where thread can be knotted
   std::array<Hole, kMaxHoles> holes{};
   std::int32_t holeCount = 0;
   std::array<StrandContact, kMaxContacts> contacts{};

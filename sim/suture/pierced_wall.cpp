@@ -60,7 +60,15 @@ Way wayFrom(const Model& m, const State& s, double place, double direction) {   
 /// Is the shorter way out that of the node before, toward the tail?
 bool comesBack(const Way& back, const Way& ahead) { return letsThrough(back) && (!letsThrough(ahead) || back.length < ahead.length); }
 
+bool isKept(const StrandState& s, int sample) { return sample < static_cast<int>(s.comesThrough.size()); }
+
 }  // namespace
+
+bool comesThrough(const StrandState& s, int sample) { return isKept(s, sample) && s.comesThrough[sample] != 0; }
+
+void hasComeThrough(int sample, StrandState& s) {
+  if (isKept(s, sample)) s.comesThrough[sample] = 0;
+}
 
 void drawBack(const Model& m, int node, const SurfacePoint& before, const SurfacePoint& now, State& state) {
   if (state.cut || (m.params.thread.knots && m.bowels.count < 2) || !overEdge(m, before, now)) return;
@@ -69,8 +77,9 @@ void drawBack(const Model& m, int node, const SurfacePoint& before, const Surfac
   const Way back = wayFrom(m, state, m.strand.place[node - 1], -1.0), ahead = wayFrom(m, state, m.strand.place[node], 1.0);
   if (isDrawn(back) && isDrawn(ahead)) return;
   if (!letsThrough(back) && !letsThrough(ahead)) return;
-  const bool tail = comesBack(back, ahead);
-  follow(m, tail ? node - 1 : node, state.strand.nearVertex[tail ? node : node - 1], state.strand);
+  const int mover = comesBack(back, ahead) ? node - 1 : node, other = mover == node ? node - 1 : node;
+  follow(m, mover, state.strand.nearVertex[other], state.strand);
+  if (!state.strand.comesThrough.empty()) state.strand.comesThrough[mover] = 1;
 }
 
 }  // namespace halsted

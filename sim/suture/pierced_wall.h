@@ -13,4 +13,10 @@ namespace halsted {
 /// single wall a push along it hooks it. `before`, `now`: the tissue nearest to the two (`nearTissue`). Needs the faces' layers.
 void drawBack(const Model&, int node, const SurfacePoint& before, const SurfacePoint& now, State&);
 
+/// Is this node of thread that is not tied being drawn back? It comes at a pace (strand_contacts.cpp), other than thread that has only cut in.
+bool comesThrough(const StrandState&, int sample);
+
+/// It is out of the wall.
+void hasComeThrough(int sample, StrandState&);
+
 }  // namespace halsted

@@ -19,7 +19,6 @@ constexpr double kSolidStiffness = 800.0;      // [N/m] strand against steel, pe
 constexpr double kStickSlide = 2e-7;           // [m] per step: below it friction holds (0.2 mm/s of creep)
 constexpr double kWedged = 0.3e-3;             // [m] below an edge: so far thread has cut in
 constexpr double kCoarse = 1.5e-3;             // [m] nodes that lie closer cannot pass a wall on both sides
-constexpr double kComesThrough = 0.8e-3;       // [m] below the face that a node is known to lie on: it comes through the wall from the other
 
 double triangleCompliance(const Model& m, int triangle, const std::array<double, 3>& w) {
   const auto& v = m.surface.triangles[triangle];
@@ -167,11 +166,11 @@ bool leavesSlowly(const Model& m, const State& s, const StrandSample& x) {
 }
 
 /// Then it is not thrown out in one step (with 40 N, at an edge): taken back at once is no more than it moves in this step, or a little. Thread that is not
-/// tied and comes through a wall from its other side (pierced_wall.h) comes at that pace, however it moves.  [m]
+/// tied and comes back through a wall (pierced_wall.h) comes at that pace, however it moves.  [m]
 double sunkBefore(const Model& m, const State& s, const StrandSample& x, const Touch& touch) {
   constexpr double kOutPerStep = 3e-4;         // [m]
   const double sunk = touch.normal.dot(touch.point - x.position);   // [m] as the step begins
-  if (!m.params.thread.knots && x.index < m.strand.nodes && sunk > kComesThrough) return sunk - kOutPerStep;
+  if (comesThrough(s.strand, x.index)) return std::fmax(0.0, sunk - kOutPerStep);
   if (!leavesSlowly(m, s, x)) return 0.0;
   const double deep = touch.normal.dot(touch.point - x.predicted), way = (x.predicted - x.position).norm();   // [m]
   return std::fmax(0.0, deep - std::fmax(kOutPerStep, way));
@@ -257,6 +256,7 @@ void linkContacts(const Model& m, const SolidMotion& motion, State& state) {
   for (int i = 0; i < sampleCount(m.strand); ++i) {
     const StrandSample x = sampleAt(m, state.strand, i);
     const SurfacePoint near = nearTissue(m, x, state);
+    if (near.triangle < 0 || near.distance >= 0.0) hasComeThrough(i, state.strand);
     if (x.thread && i > 0) {
       touchBetween(m, i, before, near, state, fresh);
       drawBack(m, i, before, near, state);

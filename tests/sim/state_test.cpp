@@ -85,7 +85,8 @@ TEST(StateFields, EveryByteOutsideVectorsIsInTheListOrPadding) {
   State s = smallState();
   s.strand.holeCount = StrandState::kMaxHoles;   // all of every table is in use
   s.threadContacts.drag.assign(1, 0.0);        // a scene whose thread meets itself
-  s.tissue.gone.assign(1, 0);                  // and whose tissue can be cut
+  s.tissue.gone.assign(1, 0);                  // whose tissue can be cut
+  s.strand.comesThrough.assign(1, 0);          // and a thread that cannot be knotted
   s.threadContacts.count = ThreadContactState::kMaxContacts;
   s.knot.watched = true;
   Coverage coverage{reinterpret_cast<const unsigned char*>(&s), std::vector<char>(sizeof s, 0)};

@@ -213,6 +213,23 @@ TEST(PiercedWall, ThreadComesBackOutByItsNearerEnd) {
   }
 }
 
+/// Drawn thread cuts into soft folds; told by its depth alone it was let out as slowly, and buzzed (0.13 N a step over the gathered rim of `purse_string`).
+TEST(PiercedWall, ThreadThatHasOnlyCutInIsPushedBackAtOnce) {
+  constexpr double kCutIn = 1.2e-3;            // [m]
+  constexpr int kNode = 6;
+  PiercingThread rig(false, 2e-3);
+  StrandState& s = rig.state.strand;
+  for (int i = 0; i < rig.model.strand.nodes; ++i) {   // along the wall, outside it
+    s.position[i] = Vec3(-2e-3, 0.5 * kWallY, kWallZ - 2e-3 - rig.model.strand.place[i]);
+    s.nearVertex[i] = nearestVertex(rig.model.surface, rig.state.tissue.position, s.position[i]);
+  }
+  s.needle = KnotRig::needlePose(rig.model.strand, s.position);
+  s.position[kNode].x() = kCutIn;              // nearer to the other face: it knows by which it went in
+  rig.step();
+  std::printf("from %.1f mm deep to %.2f mm\n", 1e3 * kCutIn, 1e3 * s.position[kNode].x());
+  EXPECT_LT(s.position[kNode].x(), 0.5e-3);
+}
+
 /// Held on both sides of the wall, by jaws and by its needle, it has no way out but through the folds of a wall that it gathers: there it shook the rim.
 TEST(PiercedWall, ThreadThatIsHeldOnBothSidesStaysUntilItIsLetGo) {
   PiercingThread rig(false, PiercingThread::kThin);
