@@ -10,6 +10,7 @@
 #include "app/errors.h"
 #include "app/progress.h"
 #include "app/report.h"
+#include "app/resources.h"
 #include "app/session/session_writer.h"
 #include "app/verifier.h"
 #include "sim/outcome.h"
@@ -50,9 +51,12 @@ void pace(const std::chrono::steady_clock::time_point& start, double simulated) 
   std::this_thread::sleep_until(start + std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(simulated)));
 }
 
-/// Steps to the end; wall-clock seconds.
-double runThrough(const PlayOptions& options, Lockstep& run, Audience& audience) {
+struct Spent { double wall = 0.0, cpu = 0.0; };   // [s]
+
+/// Steps to the end.
+Spent runThrough(const PlayOptions& options, Lockstep& run, Audience& audience) {
   const Stopwatch watch;
+  const double cpu = threadCpuTime();          // [s]
   const auto start = std::chrono::steady_clock::now();
   const double begin = run.time();             // [s]
   Progress progress;
@@ -62,7 +66,7 @@ double runThrough(const PlayOptions& options, Lockstep& run, Audience& audience)
     if (options.realtime) pace(start, run.time() - begin);
     progress.show(run.time(), options.file);
   }
-  return watch.seconds();
+  return {watch.seconds(), threadCpuTime() - cpu};
 }
 
 constexpr double kRounding = 1e-6;             // [steps] 35 s / 1 ms is not 34 999
@@ -124,9 +128,10 @@ int play(const PlayOptions& options, const WatcherMaker& makeWatcher) {
   if (options.verify) audience.verifier = std::make_unique<Verifier>();
   if (makeWatcher) audience.watcher = makeWatcher(scenario);
 
-  const double wall = runThrough(options, run, audience);        // [s]
+  const Spent spent = runThrough(options, run, audience);
   if (audience.recorder) finishRecording(*audience.recorder, run);
-  RunSummary summary = summariseRun(scenario.scene.name, scenario.scene.title, scenario.model, run.state(), run.stepTimes(), wall);
+  RunSummary summary = summariseRun(scenario.scene.name, scenario.scene.title, scenario.model, run.state(), run.stepTimes(), spent.wall);
+  summary.realtimeFactorCpu = spent.cpu > 0.0 ? static_cast<double>(run.stepTimes().count()) * summary.dt / spent.cpu : 0.0;
   summary.faults = run.faults().lines(scenario.model);
   for (const auto& row : summarise(testOutcome(scenario.model, run.state()))) summary.metrics.push_back(row);
   if (!options.report.empty()) writeReport(options.report, summary, audience.trace);

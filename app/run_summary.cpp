@@ -62,7 +62,9 @@ std::string textOf(const RunSummary& run) {
   for (const auto& [name, value] : run.metrics) text += "  " + name + " " + number("%.6g", value) + "\n";
   text += "  state " + hexadecimal(run.stateHash) + " after " + std::to_string(run.steps) + " steps of " + number("%g ms", run.dt * 1e3) + "\n";
   text += "  physics step p50 " + number("%.3f ms", run.stepMilliseconds.p50) + ", p99 " + number("%.3f ms", run.stepMilliseconds.p99) +
-          ", max " + number("%.3f ms", run.stepMilliseconds.max) + ", " + number("%.2f", run.realtimeFactor) + " times real time\n";
+          ", max " + number("%.3f ms", run.stepMilliseconds.max) + ", " + number("%.2f", run.realtimeFactor) + " times real time";
+  if (run.realtimeFactorCpu > 0.0) text += number(", %.2f with a core of its own", run.realtimeFactorCpu);
+  text += "\n";
   return text;
 }
 
@@ -83,6 +85,7 @@ std::string jsonOf(const RunSummary& run, const std::string& extra) {
   json["state_hash"] = hexadecimal(run.stateHash);
   const Percentiles& step = run.stepMilliseconds;
   json["timing"] = {{"physics_step_ms", {{"p50", step.p50}, {"p99", step.p99}, {"max", step.max}}}, {"realtime_factor", run.realtimeFactor}};
+  if (run.realtimeFactorCpu > 0.0) json["timing"]["realtime_factor_cpu"] = run.realtimeFactorCpu;
   if (!extra.empty()) json.update(Json::parse("{" + extra + "}"));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

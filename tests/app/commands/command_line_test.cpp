@@ -115,6 +115,15 @@ TEST(CommandLine, ASessionIsEnteredAtTheLastWholeStateByThen) {
   expectRefused({"replay", script, "--from", "5"}, "expert.toml: --from needs a recorded session");
 }
 
+/// A thread cannot have had more of its core than time went by: with a core of its own it would be as fast or faster.
+TEST(CommandLine, AReplaySaysHowFastACoreOfItsOwnWouldBe) {
+  const ProcessResult result = runHalsted({"replay", testing::sourceFolder() + "/scenes/acupuncture/expert.toml", "--json"});
+  ASSERT_EQ(result.exitCode, 0) << result.errors;
+  const auto timing = nlohmann::json::parse(result.output)["timing"];
+  EXPECT_GT(timing["realtime_factor"].get<double>(), 0.0);
+  EXPECT_GT(timing["realtime_factor_cpu"].get<double>(), 0.999 * timing["realtime_factor"].get<double>());
+}
+
 TEST(CommandLine, ScenesListsPurseStringWithItsSize) {
   const ProcessResult result = runHalsted({"scenes", "--json"});
   ASSERT_EQ(result.exitCode, 0) << result.errors;
