@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tests/app/scenario_for_tests.h"
@@ -129,11 +130,13 @@ TEST(CommandLine, ScenesAreListedWithTheirSizeWhichIsThePublishedOne) {
   const ProcessResult result = runHalsted({"scenes", "--json"});
   ASSERT_EQ(result.exitCode, 0) << result.errors;
   const auto list = nlohmann::json::parse(result.output);
+  std::map<std::string, nlohmann::json> scenes;
+  for (const auto& scene : list) scenes[scene["name"]] = scene;
   for (const auto& [name, published] : {std::pair{"purse_string", 1403.0}, {"connell", 2471.0}, {"stay", 2471.0}, {"lembert", 4155.0}}) {
-    const auto scene = std::find_if(list.begin(), list.end(), [&](const auto& s) { return s["name"] == name; });
-    ASSERT_NE(scene, list.end()) << name;
-    EXPECT_NEAR((*scene)["particles"].get<double>() + (*scene)["thread_nodes"].get<double>(), published, 0.02 * published) << name;
-    EXPECT_GT((*scene)["tets"].get<int>(), 1000) << name;
+    ASSERT_TRUE(scenes.contains(name)) << name;
+    const nlohmann::json& scene = scenes[name];
+    EXPECT_NEAR(scene["particles"].get<double>() + scene["thread_nodes"].get<double>(), published, 0.02 * published) << name;
+    EXPECT_GT(scene["tets"].get<int>(), 1000) << name;
   }
 }
 
