@@ -131,7 +131,8 @@ int play(const PlayOptions& options, const WatcherMaker& makeWatcher) {
   const Spent spent = runThrough(options, run, audience);
   if (audience.recorder) finishRecording(*audience.recorder, run);
   RunSummary summary = summariseRun(scenario.scene.name, scenario.scene.title, scenario.model, run.state(), run.stepTimes(), spent.wall);
-  summary.realtimeFactorCpu = spent.cpu > 0.0 ? static_cast<double>(run.stepTimes().count()) * summary.dt / spent.cpu : 0.0;
+  if (!makeWatcher && spent.cpu > 0.0)         // who draws waits for threads that draw
+    summary.realtimeFactorCpu = static_cast<double>(run.stepTimes().count()) * summary.dt / spent.cpu;
   summary.faults = run.faults().lines(scenario.model);
   for (const auto& row : summarise(testOutcome(scenario.model, run.state()))) summary.metrics.push_back(row);
   if (!options.report.empty()) writeReport(options.report, summary, audience.trace);

@@ -31,7 +31,7 @@ struct RunSummary {
   std::uint64_t stateHash = 0;
   Percentiles stepMilliseconds;
   double realtimeFactor = 0.0;                 // [1] simulated time / wall-clock time
-  double realtimeFactorCpu = 0.0;              // [1] simulated time / CPU time of the thread that stepped: what a core of its own would give. 0: not measured
+  double realtimeFactorCpu = 0.0;              // [1] simulated time / CPU time of the thread that stepped: what a core of its own would give. 0: not measured, or pictures were drawn
 };
 
 /// `wall` is the time that the run took. Faults are counted, not named: the caller has kept the log of them.

@@ -35,7 +35,6 @@ void beginSuture(const Model& m, State& s) {
   s.tissue = restState(m.tissue);
   if (m.join.present()) s.metrics.seam.emplace();
   s.strand = restState(m.strand, beginsWithNeedle(m) ? loadDriver(m, s.tools[kRight]) : needleOnTable());
-  if (!m.params.thread.knots) s.strand.comesThrough.assign(m.strand.nodes, 0);
   if (m.params.thread.knots) {
     const ThreadParams& t = m.params.thread;
     s.threadContacts = restContacts(m.strand);
@@ -48,6 +47,8 @@ void beginSuture(const Model& m, State& s) {
     if (t.assist == ThreadAssist::kKnot) { s.assist.emplace(); s.metrics.assistedKnots = 0; }
     s.work.knotReader = KnotReader(m.strand.nodes);
     s.work.threadContacts = prepareContactWork(m.strand, {t.friction, t.lateralModulus, t.breakingTension});
+  } else {
+    s.strand.comesThrough.assign(m.strand.nodes, 0);
   }
   if (std::any_of(m.params.second, m.params.second + kHands, [](const ToolParams& p) { return p.kind != ToolKind::kNone; })) s.instruments.emplace();
   if (m.params.assistant.clamps > 0) { s.clamps.emplace(); s.clamps->left = m.params.assistant.clamps; }

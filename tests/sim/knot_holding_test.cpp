@@ -91,7 +91,7 @@ double doubleThrowBears(double dt) {   // [s]
 TEST(TiedKnots, WhatADoubleThrowBearsIsNotThatOfTheStep) {
   const double coarse = doubleThrowBears(0.25e-3), fine = doubleThrowBears(0.0625e-3);   // [N]
   EXPECT_NEAR(coarse, fine, 0.25 * fine);
-  if (std::getenv("KNOT_VERBOSE")) doubleThrowBears(0.5e-3);   // half as many substeps: a third faster in scenes, and half as much again that is not friction
+  if (std::getenv("KNOT_VERBOSE")) doubleThrowBears(0.5e-3);   // half as many substeps, to be seen: it bears half as much again
 }
 
 double exponentOf(const std::array<double, 4>& force) {   // [1], [N]
