@@ -13,6 +13,7 @@
 #include "sim/suture/strand_contacts.h"
 #include "sim/suture/tied_stitches.h"
 #include "sim/tissue/tissue.h"
+#include "sim/tools/come_free.h"
 #include "sim/tools/grasp.h"
 #include "sim/tools/instrument.h"
 #include "sim/tools/load_driver.h"
@@ -95,12 +96,16 @@ void stepStrand(const Model& m, KnottingMotion motion, State& s, StepOutput& out
   linkContacts(m, motion.solids, s);
   for (int hand = 0; hand < kHands; ++hand) motion.grasps[hand] = linkGrasp(m, hand, s);
   linkAssistKnot(m, s);
+  const std::array<Vec3, kHands> tools{s.tools[0].proxy.position, s.tools[1].proxy.position};   // [m]
   if (!solveAgainstTissue(m, motion, s, out)) return;
   settleHoles(m, s, out);
   settleAssistKnot(m, s, out);
   settleContacts(m, s, out);
   settleToolForces(s);
-  for (int hand = 0; hand < kHands; ++hand) settleGrasp(m, hand, motion.grasps[hand], s, out);
+  for (int hand = 0; hand < kHands; ++hand) {
+    settleGrasp(m, hand, motion.grasps[hand], s, out);
+    followSlowly(m, hand, tools[hand], s);
+  }
 }
 
 /// Moves the tissue by its answer to the changes of force gathered so far.

@@ -103,6 +103,7 @@ struct VertexBoxes {
 struct TouchPoint {
   int hand = 0, triangle = -1;                 // kHands + k: the k-th standing clamp
   bool grasp = false;                          // bilateral: held between the jaws
+  bool sunk = false;                           // the tool's axis lies below the surface
   bool gone = false;                           // no contact any more: stays in the problem because its old force is taken back
   std::array<double, 3> weight{};              // [1]
   Vec3 normal = Vec3::UnitZ();                 // [1] from the tool into the tissue

@@ -11,6 +11,7 @@
 #include "sim/suture/knotting.h"
 #include "sim/suture/stitch_course.h"
 #include "sim/suture/tied_loop.h"
+#include "sim/tools/come_free.h"
 #include "sim/tools/instrument.h"
 #include "sim/tools/load_driver.h"
 #include "sim/tools/tool_shape.h"
@@ -68,7 +69,11 @@ void keepStitch(const Model& m, State& s, StepOutput& out) {
 /// Nothing is left of the old thread.
 void layFreshThread(const Model& m, State& s) {
   layAtRest(m.strand, loadDriver(m, s.tools[kRight]), s.strand);
-  for (ToolState& t : s.tools) t.needleForce = t.threadForce = t.strandForce = Vec3::Zero();
+  for (int hand = 0; hand < kHands; ++hand) {
+    ToolState& t = s.tools[hand];
+    comeFree(m, hand, t.needleForce + t.threadForce + t.strandForce, t);
+    t.needleForce = t.threadForce = t.strandForce = Vec3::Zero();
+  }
   s.threadContacts.count = 0;
   std::fill(s.threadContacts.drag.begin(), s.threadContacts.drag.end(), 0.0);
   std::fill(s.threadContacts.set.begin(), s.threadContacts.set.end(), Vec3::Zero());

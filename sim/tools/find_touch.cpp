@@ -22,7 +22,6 @@ constexpr double kMostBack = 2e-3;             // [m] how far a tool that loses 
 struct Found {
   TouchPoint point;
   bool ok = false;
-  bool sunk = false;                           // the axis lies below the triangle: the tool has sunk into it
 };
 
 /// Contact of a capsule with one triangle; the normal pushes the tissue out of the tool.
@@ -45,7 +44,7 @@ Found touchOf(const Model& m, const CapsuleShape& c, int triangle, std::span<con
     f.point.gap = distance - c.radius;
   } else if (height > -kBehind) {
     if (2.0 * height * height < near.squaredDistance - 1e-18) return f;   // passes the edge at the face's own level: it is in front of a neighbour, or free
-    f.sunk = true;
+    f.point.sunk = true;
     f.point.normal = -outward;
     f.point.gap = height - c.radius;
   } else {
@@ -199,7 +198,7 @@ void findContacts(const Model& m, int hand, const Pose& before, State& s) {
     for (int i = 0; i < t.nearCount; ++i) {
       if (isHeld(m, t.grasp, t.nearTriangle[i])) continue;
       Found f = touchOf(m, capsule, t.nearTriangle[i], s.work.tissue.previous, kMargin + back + kFastest);
-      if (!f.ok || (f.sunk && !cameIn(m, t, f.point))) continue;
+      if (!f.ok || (f.point.sunk && !cameIn(m, t, f.point))) continue;
       f.point.hand = hand;
       moveOn(m, before, s, f.point);
       if (f.point.gap > kMargin + drawnBack(m, t, f.point)) continue;
@@ -223,7 +222,7 @@ int findAhead(const Model& m, int hand, const State& s, double margin, std::span
       const CapsuleShape capsule = placed(shape, t.proxy);
       for (int i = 0; i < t.nearCount; ++i) {
         const Found f = touchOf(m, capsule, t.nearTriangle[i], s.tissue.position, margin);
-        if (!f.ok || f.sunk || f.point.gap >= best.gap || !looksElsewhere(f.point.normal, found.first(count))) continue;
+        if (!f.ok || f.point.sunk || f.point.gap >= best.gap || !looksElsewhere(f.point.normal, found.first(count))) continue;
         best = f.point;
         more = true;
       }

@@ -5,6 +5,7 @@
 #include "sim/contact/geometry.h"
 #include "sim/suture/holes.h"
 #include "sim/suture/knotting.h"
+#include "sim/tools/come_free.h"
 #include "sim/tools/cutter.h"
 #include "sim/tools/instrument.h"
 #include "sim/tools/jaw_rest.h"
@@ -21,7 +22,6 @@ constexpr double kMostSlip = 1e-3;             // [m] a step
 constexpr double kJawDepth = 7e-3;             // [m] from the tips along the jaws: how deep things may lie and be held
 constexpr double kSlipping = 0.998;            // [1] of the squared grip: above it a held point slides
 constexpr double kSlipReach = 1.5;             // [1] of the capture radius: tissue this far from the jaws has slipped out
-constexpr double kBackSpeed = 0.5;             // [m/s] of a tool that comes free: the hand's, and no farther in a step than contacts are looked for
 constexpr int kScan = 64;                      // samples along the needle when looking for what the jaws hold
 
 /// Distance of a point from the middle line of the jaws [m].
@@ -93,13 +93,6 @@ void takeBack(const Model& m, const TissueGrasp& grasp, int g, State& s) {
   for (int k = 0; k < 3; ++k) s.work.change[v[k]] -= grasp.weight[g][k] * grasp.force[g];
 }
 
-/// The tool follows its hand.
-void catchUp(double dt, ToolState& t) {        // [s]
-  const double far = t.lag.norm(), most = kBackSpeed * dt;       // [m]
-  if (far > most) t.lag *= 1.0 - most / far;
-  else t.lag.setZero();
-}
-
 void release(const Model& m, int hand, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];
   comeFree(m, hand, graspForce(t.grasp) + t.needleForce + t.threadForce, t);
@@ -167,9 +160,6 @@ Vec3 givingWay(const ToolParams& tool, const ToolState& t, const Vec3& wanted) {
 }
 
 }  // namespace
-
-// The coupling has no mass and would be at the hand at once, past all that is on the way.
-void comeFree(const Model& m, int hand, const Vec3& force, ToolState& t) { t.lag += force / m.params.tools[hand].couplingStiffness; }   // [N]
 
 void moveTool(const Model& m, int hand, const ToolSample& sample, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];

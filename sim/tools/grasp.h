@@ -29,9 +29,6 @@ Vec3 graspForce(const TissueGrasp&);
 void dropGraspPoint(TissueGrasp&, int point);
 void letGoOfTissue(const Model&, TissueGrasp&, State&);
 
-/// What pulled or pushed at the tool with this force has come free: it follows its hand, but no faster than a hand moves.  [N]
-void comeFree(const Model&, int hand, const Vec3& force, ToolState&);
-
 /// Total force on the hand and the proxy that follows from it: proxy = device + lag + force / coupling.
 void updateProxy(const Model&, int hand, State&);
 

@@ -1,10 +1,11 @@
 #include "sim/tools/perforation.h"
 
 #include <cmath>
+#include <optional>
 
 #include "sim/contact/geometry.h"
 #include "sim/suture/holes.h"
-#include "sim/tools/grasp.h"
+#include "sim/tools/come_free.h"
 #include "sim/tools/instrument.h"
 #include "sim/tools/tool_shape.h"
 #include "sim/tools/touch.h"
@@ -46,17 +47,28 @@ bool turnsWall(const Model& m, const State& s, const ToolState& t) {
   return false;
 }
 
-bool liesInTissue(const Model& m, int hand, const State& s) {
-  const ToolState& t = s.tools[hand];
-  for (const CapsuleShape& shape : toolCapsules(toolOf(m, s, hand), t.jaw)) {
-    const CapsuleShape c = placed(shape, t.proxy);
-    for (int i = 0; i < t.nearCount; ++i) {
-      const auto& v = m.surface.triangles[t.nearTriangle[i]];
-      const auto& x = s.tissue.position;
-      if (closestSegmentTriangle(c.a, c.b, x[v[0]], x[v[1]], x[v[2]]).squaredDistance < c.radius * c.radius) return true;
-    }
-  }
+/// Its axis goes into a wall by one face and out of it by another, each of them pressed into the wall, which grows no thinner: the tool is not kept out.
+/// A pen burns its way through.
+bool pierces(const Model& m, int hand, const State& s) {
+  constexpr double kOpposed = -0.5;            // [1] cosine
+  if (toolOf(m, s, hand).kind == ToolKind::kElectrocautery) return false;
+  const TouchWork& w = s.work.touch;
+  const auto presses = [&](const TouchPoint& p) { return p.hand == hand && p.sunk && p.force.squaredNorm() > kPushing * kPushing; };
+  for (int i = 0; i < w.count; ++i)
+    for (int j = 0; j < i && presses(w.point[i]); ++j)
+      if (presses(w.point[j]) && w.point[j].normal.dot(w.point[i].normal) < kOpposed) return true;
   return false;
+}
+
+/// The push with which it breaks the wall, if it does.  [N]
+std::optional<double> breaksWith(const Model& m, int hand, const State& s) {
+  const ToolState& t = s.tools[hand];
+  const double strength = m.params.tissue.perforationForce, net = contactForce(t).norm();   // [N]
+  const bool in = pierces(m, hand, s);
+  if (!in && net <= std::fmin(strength, kPushing)) return {};
+  const double push = std::fmin(hardestPush(m, s, t), net);      // [N] a tool that wall holds from all sides pushes through none
+  if (in || push > strength || (push > kPushing && turnsWall(m, s, t))) return push;
+  return {};
 }
 
 }  // namespace
@@ -64,19 +76,17 @@ bool liesInTissue(const Model& m, int hand, const State& s) {
 void settlePerforation(const Model& m, int hand, State& s, StepOutput& out) {
   ToolState& t = s.tools[hand];
   if (t.through) {
-    t.through = liesInTissue(m, hand, s);
+    t.through = liesInTissue(m, hand, t.proxy, s);
     return;
   }
-  const double strength = m.params.tissue.perforationForce, net = contactForce(t).norm();   // [N]
-  if (net <= std::fmin(strength, kPushing)) return;
-  const double push = std::fmin(hardestPush(m, s, t), net);      // [N] a tool that wall holds from all sides pushes through none
-  if (push <= strength && !(push > kPushing && turnsWall(m, s, t))) return;
+  const std::optional<double> push = breaksWith(m, hand, s);     // [N]
+  if (!push) return;
   t.through = true;
   ++s.metrics.perforations;
   comeFree(m, hand, contactForce(t), t);
   dropContacts(m, hand, s);
   out.contact[hand].puncture = true;           // the wall gives way: the force may jump
-  pushEvent(out, {s.step, EventKind::kWallPerforated, hand, s.metrics.perforations, push});
+  pushEvent(out, {s.step, EventKind::kWallPerforated, hand, s.metrics.perforations, *push});
 }
 
 }  // namespace halsted

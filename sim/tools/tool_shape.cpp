@@ -29,6 +29,19 @@ bool tissueWithin(const Model& m, const State& s, const CapsuleShape& c) {
   return false;
 }
 
+bool liesInTissue(const Model& m, int hand, const Pose& tool, const State& s) {
+  const ToolState& t = s.tools[hand];
+  for (const CapsuleShape& shape : toolCapsules(toolOf(m, s, hand), t.jaw)) {
+    const CapsuleShape c = placed(shape, tool);
+    for (int i = 0; i < t.nearCount; ++i) {
+      const auto& v = m.surface.triangles[t.nearTriangle[i]];
+      const auto& x = s.tissue.position;
+      if (closestSegmentTriangle(c.a, c.b, x[v[0]], x[v[1]], x[v[2]]).squaredDistance < c.radius * c.radius) return true;
+    }
+  }
+  return false;
+}
+
 std::array<CapsuleShape, kSolids> worldSolids(const Model& m, const State& s) {
   std::array<CapsuleShape, kSolids> all;
   for (int hand = 0; hand < kHands; ++hand) {

@@ -21,6 +21,9 @@ std::array<CapsuleShape, kSolids> worldSolids(const Model&, const State&);
 /// Is a vertex of tissue that can be touched within this capsule?
 bool tissueWithin(const Model&, const State&, const CapsuleShape&);
 
+/// Would the tool, placed here, overlap a surface near it (ToolState::nearTriangle)?
+bool liesInTissue(const Model&, int hand, const Pose&, const State&);
+
 CapsuleShape placed(const CapsuleShape&, const Pose&);
 
 }  // namespace halsted

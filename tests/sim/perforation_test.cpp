@@ -107,6 +107,46 @@ TEST(Perforation, WhatJawsSqueezeIsNotPushedThrough) {
   }
 }
 
+/// Jaws right through the wall, at rest; they have come in by the near face, or are known to both.
+struct Skewering : StepRig {
+  explicit Skewering(bool both) : StepRig(wallParams(), kNeedleAway, pressing(-12e-3)) {
+    ToolState& t = state.tools[kLeft];
+    input.tools[kLeft].jaw = t.jaw = 0.0;
+    t.closed = true;
+    for (int side = 0; side < (both ? 2 : 1); ++side) {
+      t.contactTriangle[side] = faceAt(side == 0 ? kWallX : 0.0);
+      t.contactWeight[side] = {1.0 / 3, 1.0 / 3, 1.0 / 3};
+      t.contactNormal[side] = side == 0 ? Vec3(-Vec3::UnitX()) : Vec3(Vec3::UnitX());
+      t.contactForce[side] = 1e-3 * t.contactNormal[side];
+      ++t.contactCount;
+    }
+  }
+  /// The face of the wall at this x where the jaws' axis meets it.
+  int faceAt(double x) const {                 // [m]
+    const Vec3 at(x, pressing(0.0).position.y(), pressing(0.0).position.z());
+    int nearest = -1;
+    double least = 1e300;                      // [m^2]
+    for (int f = 0; f < static_cast<int>(model.surface.triangles.size()); ++f) {
+      const double far = (pointOn(model.surface, state.tissue.position, f, {1.0 / 3, 1.0 / 3, 1.0 / 3}) - at).squaredNorm();
+      if (far < least) { least = far; nearest = f; }
+    }
+    return nearest;
+  }
+};
+
+/// Each of its contacts would push a face of the wall into the wall, harder with every step, and neither the tool out of it.
+TEST(Perforation, AToolThatIsInByOneFaceAndOutByAnotherIsThrough) {
+  Skewering both(true), one(false);
+  both.run(3);
+  EXPECT_EQ(both.state.metrics.perforations, 1);
+  EXPECT_TRUE(both.state.tools[kLeft].through);
+  EXPECT_EQ(both.state.tools[kLeft].force, Vec3::Zero());
+  EXPECT_LT(both.displacement(), 1e-4);
+  one.run(3);
+  EXPECT_EQ(one.state.metrics.perforations, 0);
+  EXPECT_GT(one.state.tools[kLeft].force.x(), 0.0) << "the wall pushes it back";
+}
+
 /// What the wall was pushed with comes free, and no more: the coupling must not throw the tool through.
 TEST(Perforation, TheToolFollowsItsHandNoFasterThanAHandMoves) {
   Prodded p(8.0);
