@@ -17,14 +17,21 @@ bool leadsAcross(const Vec3& along, const SurfacePoint& before, const SurfacePoi
   return along.dot(before.normal) < -kSteep && along.dot(now.normal) > kSteep;
 }
 
-/// Half-way between the two it lies deep in the tissue, and no edge is near.
+/// Somewhere between the two it lies deep in the tissue, and no edge is near. Not only half-way: a thin wall may lie beside either.
 bool pierces(const Model& m, int node, const Vec3& along, const State& state) {   // [1]
+  constexpr double kLooks[] = {0.5, 0.25, 0.75};                // [1] of the segment
   const SurfaceNow tissue(state.tissue.position, state.tissue.gone);
-  const StrandSample x = sampleBetween(m, state.strand, node);
-  int vertex = state.strand.nearVertex[node];
-  const SurfacePoint near = nearestTriangle(m.surface, tissue, x.position, vertex);   // of either face
-  if (near.distance > -kThrough * segmentAt(m.strand, x.coordinate) || m.mesh.triangleLayer[near.triangle] == kEdgeFace) return false;
-  return exitOverEdge(m.surface, m.mesh.triangleLayer, tissue, {x.position, along, near, vertex}, kSkinDepth).triangle < 0;
+  StrandSample x = sampleBetween(m, state.strand, node);
+  const double deep = kThrough * segmentAt(m.strand, x.coordinate);   // [m]
+  for (const double share : kLooks) {
+    x.position = (1.0 - share) * state.strand.position[node - 1] + share * state.strand.position[node];
+    int vertex = state.strand.nearVertex[node];
+    const SurfacePoint near = nearestTriangle(m.surface, tissue, x.position, vertex);   // of either face
+    if (near.distance > -deep) continue;
+    if (m.mesh.triangleLayer[near.triangle] == kEdgeFace) return false;
+    return exitOverEdge(m.surface, m.mesh.triangleLayer, tissue, {x.position, along, near, vertex}, kSkinDepth).triangle < 0;
+  }
+  return false;
 }
 
 enum class Ends { kLoose, kNeedle, kHole, kHand };

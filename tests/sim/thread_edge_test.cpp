@@ -159,11 +159,11 @@ TEST(ThreadOverAnEdge, ThreadThatHasSunkThroughComesWithThePull) {
 /// Thread that goes straight through a thin wall far below its edge, with no hole, both ends free: a node on either face, and a short tail behind it.
 struct PiercingThread : StepRig {
   static constexpr double kThin = 2e-3, kTail = 20e-3;   // [m]
-  PiercingThread(bool knots, double segment) : StepRig(params(knots, segment), kNeedleAway, kAway, kThin) {   // [m]
-    model.mesh.triangleLayer = wallFaces(model.mesh, model.surface, kThin);
+  PiercingThread(bool knots, double segment, double thin = kThin, double off = 0.0) : StepRig(params(knots, segment), kNeedleAway, kAway, thin) {   // [m]
+    model.mesh.triangleLayer = wallFaces(model.mesh, model.surface, thin);
     if (knots) model.bowels.count = 2;         // such thread is drawn back between two bowels only
     for (int i = 0; i < model.strand.nodes; ++i) {
-      state.strand.position[i] = Vec3(kThin + kTail - model.strand.place[i], 0.5 * kWallY, 0.5 * kWallZ);
+      state.strand.position[i] = Vec3(thin + kTail + off - model.strand.place[i], 0.5 * kWallY, 0.5 * kWallZ);
       state.strand.nearVertex[i] = nearestVertex(model.surface, state.tissue.position, state.strand.position[i]);
     }
     state.strand.needle = KnotRig::needlePose(model.strand, state.strand.position);
@@ -210,6 +210,16 @@ TEST(PiercedWall, ThreadComesBackOutByItsNearerEnd) {
     EXPECT_EQ(rig.through(), 0);
     EXPECT_LT(rig.pushed(), 0.1);
     EXPECT_LT(most, 0.5);                      // drawn, not thrown (40 N)
+  }
+}
+
+/// Half-way between two nodes it may lie beside a wall that is thinner than they are apart: taken for thread that goes through none, it stayed.
+TEST(PiercedWall, IsToldWhereverTheNodesLie) {
+  for (const double off : {0.05e-3, 0.4e-3, 0.75e-3}) {          // [m] of a node from the far face
+    PiercingThread rig(true, 2e-3, 1.2e-3, off);
+    int steps = 0;
+    while (steps < 1000 && rig.state.strand.position[0].x() > 0.0) { rig.step(); ++steps; }
+    EXPECT_LT(steps, 1000) << off;
   }
 }
 
