@@ -9,7 +9,7 @@
 namespace halsted {
 namespace {
 
-constexpr double kThrough = 0.16;              // [1] of its length: so deep lies the middle of a segment that goes through, not over a corner
+constexpr double kThrough = 0.16;              // [1] of its length: so deep lies a segment that goes through, not over a corner
 
 /// Does it lead from one face to the other? Not where thread lies along a wall, and a node of it is taken for one on the wall's far face.
 bool leadsAcross(const Vec3& along, const SurfacePoint& before, const SurfacePoint& now) {   // [1]
@@ -21,15 +21,14 @@ bool leadsAcross(const Vec3& along, const SurfacePoint& before, const SurfacePoi
 bool pierces(const Model& m, int node, const Vec3& along, const State& state) {   // [1]
   constexpr double kLooks[] = {0.5, 0.25, 0.75};                // [1] of the segment
   const SurfaceNow tissue(state.tissue.position, state.tissue.gone);
-  StrandSample x = sampleBetween(m, state.strand, node);
-  const double deep = kThrough * segmentAt(m.strand, x.coordinate);   // [m]
+  const double deep = kThrough * m.strand.rest[node - 1];        // [m]
   for (const double share : kLooks) {
-    x.position = (1.0 - share) * state.strand.position[node - 1] + share * state.strand.position[node];
+    const Vec3 at = (1.0 - share) * state.strand.position[node - 1] + share * state.strand.position[node];   // [m]
     int vertex = state.strand.nearVertex[node];
-    const SurfacePoint near = nearestTriangle(m.surface, tissue, x.position, vertex);   // of either face
+    const SurfacePoint near = nearestTriangle(m.surface, tissue, at, vertex);   // of either face
     if (near.distance > -deep) continue;
     if (m.mesh.triangleLayer[near.triangle] == kEdgeFace) return false;
-    return exitOverEdge(m.surface, m.mesh.triangleLayer, tissue, {x.position, along, near, vertex}, kSkinDepth).triangle < 0;
+    return exitOverEdge(m.surface, m.mesh.triangleLayer, tissue, {at, along, near, vertex}, kSkinDepth).triangle < 0;
   }
   return false;
 }

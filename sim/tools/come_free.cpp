@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sim/tools/find_touch.h"
 #include "sim/tools/grasp.h"
 #include "sim/tools/tool_shape.h"
 
@@ -9,12 +10,11 @@ namespace halsted {
 namespace {
 
 constexpr double kBackSpeed = 0.5;             // [m/s] of a tool that comes free: the hand's, and no farther in a step than contacts are looked for
-constexpr double kLookedFor = 1e-3;            // [m] ahead of a tool, contacts with tissue (find_touch.cpp)
 
 /// Is tissue in the way of a tool from here to where it is?
 bool runsIntoTissue(const Model& m, int hand, const Vec3& from, const State& s) {   // [m]
   const Pose& to = s.tools[hand].proxy;
-  const int places = static_cast<int>(std::ceil((to.position - from).norm() / kLookedFor));
+  const int places = static_cast<int>(std::ceil((to.position - from).norm() / kFastest));
   for (int k = 1; k <= places; ++k)
     if (liesInTissue(m, hand, {from + static_cast<double>(k) / places * (to.position - from), to.orientation}, s)) return true;
   return false;
@@ -28,7 +28,7 @@ void followSlowly(const Model& m, int hand, const Vec3& from, State& s) {   // [
   ToolState& t = s.tools[hand];
   const Vec3 way = t.proxy.position - from;    // [m]
   const double far = way.norm();               // [m]
-  if (far <= kLookedFor || t.through || !runsIntoTissue(m, hand, from, s)) return;
+  if (far <= kFastest || t.through || !runsIntoTissue(m, hand, from, s)) return;
   t.lag -= (1.0 - kBackSpeed * m.params.dt / far) * way;
   updateProxy(m, hand, s);
 }

@@ -14,7 +14,6 @@ constexpr int kRefreshInterval = 4;            // steps
 constexpr double kNearReach = 8e-3;            // [m] beyond the shaft's radius: an edge of the mesh and four steps of fast motion
 constexpr double kMargin = 0.3e-3;             // [m] contacts are made before they touch
 constexpr double kMerge = 0.7e-3;              // [m] contact points closer than this are one
-constexpr double kFastest = 1e-3;              // [m] no tool and no tissue moves farther in a step
 constexpr double kBehind = 1.0e-3;             // [m] half a wall: deeper, the other side is nearer
 constexpr double kTriangleReach = 6e-3;        // [m] longest edge to expect when rejecting triangles
 constexpr double kMostBack = 2e-3;             // [m] how far a tool that loses its contacts is looked after

@@ -6,6 +6,9 @@
 
 namespace halsted {
 
+/// No tool and no tissue moves farther in a step: so far ahead of a tool contacts are looked for.  [m]
+inline constexpr double kFastest = 1e-3;
+
 /// Refreshes the list of triangles near a tool every few steps.
 void refreshNear(const Model&, int hand, State&);
 void listNearTriangles(const Model&, int hand, State&);   // at once

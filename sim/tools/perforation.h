@@ -8,8 +8,8 @@
 namespace halsted {
 
 /// After `solveTouch`. An instrument that pushes harder than `tissue.perforation_force`, that pushes a part of the wall through to its other
-/// side, or that has sunk in by one face of it and out by another, is through: until it lies in no tissue any more it meets neither tissue nor thread (it would take that along), and what it pushed springs
-/// back. What its jaws hold they go on holding.
+/// side, or that has sunk in by one face of it and out by another, is through: until it lies in no tissue any more it meets neither tissue nor
+/// thread (it would take that along), and what it pushed springs back. What its jaws hold they go on holding.
 void settlePerforation(const Model&, int hand, State&, StepOutput&);
 
 }  // namespace halsted

@@ -113,6 +113,20 @@ TEST(FreshThread, AStitchTiedLooseIsKeptLoose) {
   EXPECT_EQ(looseOnes(), 1.0);                 // counted as one of those kept
 }
 
+/// The coupling has no mass: free of the old thread it would be at its hand in one step, past all that is on the way.
+TEST(FreshThread, AToolThatTheOldThreadHeldOffFollowsItsHand) {
+  TiedEnds ends;
+  finish(ends);
+  ToolState& tool = ends.state.tools[kLeft];
+  const Vec3 held = tool.proxy.position, off(0.0, 0.0, 5e-3);    // [m]
+  ends.input.tools[kLeft].pose.position = held - off;
+  tool.strandForce = ends.model.params.tools[kLeft].couplingStiffness * off;
+  ASSERT_EQ(ask(ends), ThreadRefusal::kNone);
+  EXPECT_LT((tool.proxy.position - held).norm(), 0.6e-3);        // 0.5 m/s
+  ends.run(20);
+  EXPECT_LT((tool.proxy.position - held + off).norm(), 1e-6);
+}
+
 TEST(FreshThread, LoadsTheDriverAndCountsAnew) {
   TiedEnds ends;
   finish(ends);

@@ -84,6 +84,17 @@ TEST(Perforation, TheInstrumentMeetsNothingUntilItIsOutAgain) {
   EXPECT_EQ(p.perforated, 1);
 }
 
+/// The face of the wall nearest to this place.
+int faceAt(const StepRig& rig, const Vec3& place) {              // [m]
+  int nearest = -1;
+  double least = 1e300;                        // [m^2]
+  for (int f = 0; f < static_cast<int>(rig.model.surface.triangles.size()); ++f) {
+    const double far = (pointOn(rig.model.surface, rig.state.tissue.position, f, {1.0 / 3, 1.0 / 3, 1.0 / 3}) - place).squaredNorm();
+    if (far < least) { least = far; nearest = f; }
+  }
+  return nearest;
+}
+
 /// Contacts of 14 N each on one place, on both sides of the wall or on one: only what pushes the same way goes through.
 TEST(Perforation, WhatJawsSqueezeIsNotPushedThrough) {
   for (const bool squeezed : {true, false}) {
@@ -91,12 +102,7 @@ TEST(Perforation, WhatJawsSqueezeIsNotPushedThrough) {
     ToolState& t = rig.state.tools[kLeft];
     for (int side = 0; side < 2; ++side) {
       const bool far = side == 1 && squeezed;
-      const double x = far ? 0.0 : kWallX;     // [m]
-      const auto& triangles = rig.model.surface.triangles;
-      for (std::size_t f = 0; f < triangles.size(); ++f) {
-        const Vec3 middle = pointOn(rig.model.surface, rig.state.tissue.position, static_cast<int>(f), {1.0 / 3, 1.0 / 3, 1.0 / 3});
-        if ((middle - Vec3(x, 12e-3, 11e-3)).norm() < 1.2e-3 && std::fabs(middle.x() - x) < 1e-9) t.contactTriangle[side] = static_cast<std::int32_t>(f);
-      }
+      t.contactTriangle[side] = faceAt(rig, {far ? 0.0 : kWallX, 12e-3, 11e-3});
       t.contactWeight[side] = {1.0 / 3, 1.0 / 3, 1.0 / 3};
       t.contactNormal[side] = far ? Vec3(Vec3::UnitX()) : Vec3(-Vec3::UnitX());
       t.contactForce[side] = 14.0 * t.contactNormal[side];
@@ -114,23 +120,12 @@ struct Skewering : StepRig {
     input.tools[kLeft].jaw = t.jaw = 0.0;
     t.closed = true;
     for (int side = 0; side < (both ? 2 : 1); ++side) {
-      t.contactTriangle[side] = faceAt(side == 0 ? kWallX : 0.0);
+      t.contactTriangle[side] = faceAt(*this, {side == 0 ? kWallX : 0.0, 12e-3, 5e-3});   // where the jaws' axis meets it
       t.contactWeight[side] = {1.0 / 3, 1.0 / 3, 1.0 / 3};
       t.contactNormal[side] = side == 0 ? Vec3(-Vec3::UnitX()) : Vec3(Vec3::UnitX());
       t.contactForce[side] = 1e-3 * t.contactNormal[side];
       ++t.contactCount;
     }
-  }
-  /// The face of the wall at this x where the jaws' axis meets it.
-  int faceAt(double x) const {                 // [m]
-    const Vec3 at(x, pressing(0.0).position.y(), pressing(0.0).position.z());
-    int nearest = -1;
-    double least = 1e300;                      // [m^2]
-    for (int f = 0; f < static_cast<int>(model.surface.triangles.size()); ++f) {
-      const double far = (pointOn(model.surface, state.tissue.position, f, {1.0 / 3, 1.0 / 3, 1.0 / 3}) - at).squaredNorm();
-      if (far < least) { least = far; nearest = f; }
-    }
-    return nearest;
   }
 };
 
