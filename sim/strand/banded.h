@@ -10,6 +10,7 @@ namespace halsted {
 class BandedMatrix {
  public:
   static constexpr int kHalf = 11;             // half bandwidth: bending couples blocks two apart, the needle block is 6 wide
+  static constexpr int kBending = 8;           // of it, what all rows use but those beside the needle's block
   static constexpr int kStride = kHalf + 1;
 
   void resize(int size) {

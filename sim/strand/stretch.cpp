@@ -50,7 +50,8 @@ template <typename L> HALSTED_INLINE void forwardBody(const StretchBand& b, cons
   for (int j = 3 * s.first; j < 3 * (s.last + 1); ++j) {
     const double *row = rowOf(b, j), *border = borderOf(b, j);
     const L scaled = loadLanes<L>(x + 4 * j) * row[0];
-    for (int i = 1; i <= kHalf; ++i) storeLanes(x + 4 * (j + i), loadLanes<L>(x + 4 * (j + i)) - row[i] * scaled);
+    const int reach = reachOf(row, kHalf);
+    for (int i = 1; i <= reach; ++i) storeLanes(x + 4 * (j + i), loadLanes<L>(x + 4 * (j + i)) - row[i] * scaled);
     if (!s.bordered()) continue;
     for (int c = 0; c < kBorder; ++c) storeLanes(before + 4 * c, loadLanes<L>(before + 4 * c) - border[c] * scaled);
   }
@@ -60,8 +61,7 @@ template <typename L> HALSTED_INLINE void substituteBody(const StretchBand& b, c
   const double* before = x + 12 * (s.first - 2);
   for (int j = 3 * (s.last + 1) - 1; j >= 3 * s.first; --j) {
     const double *row = rowOf(b, j), *border = borderOf(b, j);
-    L sum = loadLanes<L>(x + 4 * j);
-    for (int k = 1; k <= kHalf; ++k) sum = sum - row[k] * loadLanes<L>(x + 4 * (j + k));
+    L sum = lessRow(row, x + 4 * j, loadLanes<L>(x + 4 * j));
     if (s.bordered())
       for (int c = 0; c < kBorder; ++c) sum = sum - border[c] * loadLanes<L>(before + 4 * c);
     storeLanes(x + 4 * j, sum * row[0]);
@@ -90,8 +90,7 @@ void reduceBorder(const StretchBand& b, const Stretch& s, double* x, LanePath pa
 void substitute(const StretchBand& b, const Stretch& s, double* x) {   // [N] then [m]
   for (int j = 3 * (s.last + 1) - 1; j >= 3 * s.first; --j) {
     const double *row = rowOf(b, j), *border = borderOf(b, j);
-    double sum = x[j];                         // [N]
-    for (int k = 1; k <= kHalf; ++k) sum -= row[k] * x[j + k];
+    double sum = lessRow(row, x + j, x[j]);    // [N]
     if (s.bordered())
       for (int c = 0; c < kBorder; ++c) sum -= border[c] * x[3 * (s.first - 2) + c];
     x[j] = sum * row[0];

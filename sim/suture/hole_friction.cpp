@@ -19,21 +19,28 @@ double insideLength(const StrandState& s, int hole) {
   return std::fabs(s.holes[last].coordinate - s.holes[first].coordinate);
 }
 
+/// Of what is inside, each of the two ends carries half.  [N]
+double channelDrag(const Model& m, const StrandState& s, int hole) {
+  return (onNeedle(m, s.holes[hole]) ? m.params.needle.shaftFriction : m.params.thread.channelDrag) * (0.5 * insideLength(s, hole));
+}
+
 }  // namespace
+
+bool dragHolds(const Model& m, const StrandState& s, int hole, double along) { return magnitude(along) <= channelDrag(m, s, hole); }   // [N]
 
 double frictionBound(const Model& m, const StrandState& s, int hole) {
   const Hole& h = s.holes[hole];
-  const double inside = 0.5 * insideLength(s, hole);            // [m] each of the two ends carries half
+  const double drag = channelDrag(m, s, hole);                  // [N]
   if (onNeedle(m, h)) {
     const Vec3 t = strandTangent(m.strand, s, h.coordinate);
     const double lateral = (h.force - h.force.dot(t) * t).norm();
-    return kNeedleFriction * lateral + m.params.needle.shaftFriction * inside;
+    return kNeedleFriction * lateral + drag;
   }
   const double before = strandTension(m.strand, s, h.coordinate, -1), after = strandTension(m.strand, s, h.coordinate, 1);
   const double reach = 1.5 * m.strand.segment;                 // [m] tangents are taken just outside the hole
   const double excess = capstanExcess(strandTangent(m.strand, s, h.coordinate - reach), strandTangent(m.strand, s, h.coordinate + reach),
                                       m.params.contact.threadTissueFriction);
-  return std::fmin(before, after) * excess + m.params.thread.channelDrag * inside;
+  return std::fmin(before, after) * excess + drag;
 }
 
 std::optional<double> creepRound(const Model& m, const StrandState& s, int hole) {

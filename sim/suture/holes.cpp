@@ -52,6 +52,7 @@ Vec3 settleFriction(const Model& m, State& state, int i, const Vec3& solved) {
   const Vec3 t = strandTangent(m.strand, s, h.coordinate);
   const double along = solved.dot(t);
   if (h.slip == 0) {
+    if (dragHolds(m, s, i, along)) return solved;
     const double bound = frictionBound(m, s, i);
     if (magnitude(along) <= bound || blocked(m, state, i, along)) return solved;
     h.slip = along > 0.0 ? 1 : -1;

@@ -8,21 +8,23 @@
 namespace halsted {
 namespace {
 
-/// Random symmetric matrix inside the band, made positive definite by its diagonal.
+/// Random symmetric matrix inside the band, made positive definite by its diagonal. `mixed`: most rows go no farther than bending does.
 struct Pair {
   BandedMatrix banded;
   Eigen::MatrixXd dense;
 
-  Pair(int size, unsigned seed) : dense(Eigen::MatrixXd::Zero(size, size)) {
+  Pair(int size, unsigned seed, bool mixed = false) : dense(Eigen::MatrixXd::Zero(size, size)) {
     banded.resize(size);
     std::srand(seed);
     const Eigen::MatrixXd r = Eigen::MatrixXd::Random(size, size);
-    for (int i = 0; i < size; ++i)
-      for (int j = i + 1; j < size && j <= i + BandedMatrix::kHalf; ++j) {
+    for (int i = 0; i < size; ++i) {
+      const int reach = mixed && i % 40 < 25 ? BandedMatrix::kBending : BandedMatrix::kHalf;
+      for (int j = i + 1; j < size && j <= i + reach; ++j) {
         put(i, j, r(i, j));
         put(i, i, std::fabs(r(i, j)));
         put(j, j, std::fabs(r(i, j)));
       }
+    }
     for (int i = 0; i < size; ++i) put(i, i, 0.01 + std::fabs(r(i, i)));
   }
   void put(int i, int j, double value) {       // [any]
@@ -33,8 +35,9 @@ struct Pair {
 };
 
 TEST(BandedMatrix, SolvesAsADenseFactorisationDoes) {
-  for (int size : {1, 5, 12, 13, 30, 66, 180, 531}) {
-    Pair a(size, static_cast<unsigned>(size));
+  for (int size : {1, 5, 12, 13, 30, 66, -66, 180, -180, 531}) {         // negative: mixed
+    Pair a(std::abs(size), static_cast<unsigned>(size), size < 0);
+    size = std::abs(size);
     const Eigen::VectorXd rhs = Eigen::VectorXd::Random(size);
     Eigen::VectorXd x = rhs;
     ASSERT_TRUE(a.banded.factorAndSolve(x.data())) << size;
@@ -44,8 +47,9 @@ TEST(BandedMatrix, SolvesAsADenseFactorisationDoes) {
 }
 
 TEST(BandedMatrix, OnceFactoredSolvesFourMoreAtATime) {
-  for (int size : {1, 12, 180}) {
-    Pair a(size, static_cast<unsigned>(size));
+  for (int size : {1, 12, -66, 180, -180}) {                             // negative: mixed
+    Pair a(std::abs(size), static_cast<unsigned>(size), size < 0);
+    size = std::abs(size);
     Eigen::VectorXd x = Eigen::VectorXd::Random(size);
     ASSERT_TRUE(a.banded.factorAndSolve(x.data())) << size;
     const Eigen::MatrixXd rhs = Eigen::MatrixXd::Random(size, 4), expected = a.dense.ldlt().solve(rhs);
