@@ -53,7 +53,7 @@ bool BandedMatrix::factorAndSolve(double* x) {
 }
 
 void BandedMatrix::solveAgain(Lanes4* x) const {
-  double* lanes = reinterpret_cast<double*>(x);
+  double* lanes = reinterpret_cast<double*>(x);        // loaded one by one: a vector of Lanes4 need not begin at 32 bytes
   if (widestLanes() == LanePath::kWide) againWide(entries_.data(), size_, lanes);
   else againNarrow(entries_.data(), size_, lanes);
 }
