@@ -68,7 +68,7 @@ DeviceReading VirtualDevice::read(double dt) noexcept {  // [s]
   turn(span);
   const double wanted = std::clamp(target_.jaw, 0.0, 1.0);                    // [1]
   jaw_ += std::clamp(wanted - jaw_, -hand_.jawRate * span, hand_.jawRate * span);
-  return {{quantised(position_, touch_.positionStep), orientation_}, jaw_, presses_, connected_};
+  return {{quantised(position_, touch_.positionStep), orientation_}, jaw_, 0, connected_};
 }
 
 void VirtualDevice::moveAim(double h) noexcept {  // [s]

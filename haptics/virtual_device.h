@@ -50,7 +50,6 @@ class VirtualDevice final : public Device {
 
   /// Pulls the plug or puts it back, so that the loss of a device can be shown and tested.
   void setConnected(bool connected) noexcept { connected_ = connected; }
-  void pressButton() noexcept { ++presses_; }
 
   const Vec3& position() const noexcept { return position_; }      // [m] before quantisation
   const Vec3& velocity() const noexcept { return velocity_; }      // [m/s]
@@ -72,7 +71,6 @@ class VirtualDevice final : public Device {
   Vec3 motor_, handForce_;                     // [N] held since the last write; last of the hand
   Quat orientation_;
   double jaw_ = 1.0;                           // [1]
-  std::uint32_t presses_ = 0;
   bool connected_ = true;
 };
 

@@ -115,7 +115,7 @@ SuturePainting::SuturePainting(const RenderScene& scene, const Canvas& canvas)
     : picture(canvas), backdrop(canvas.width(), canvas.height()), casters(scene.surface.begin(), scene.surface.begin() + static_cast<std::ptrdiff_t>(boundaryTriangles(scene))), rodsAsLines(scene.rods),
       needleReach(scene.needle.radius + scene.needle.wireRadius), tissue(scene, scene.perineum ? kPerineumBudget : kTriangleBudget), threadTube(makeThread(scene.threadNodes)),
       thread(uploadTube(threadTube)), needle(uploadTube(makeNeedle(scene.needle))),
-      threadShadow(uploadOtherIndices(threadShadowIndices(scene.threadNodes))), holes(scene.maxPunctures),
+      threadShadow(uploadOtherIndices(threadShadowIndices(scene.threadNodes))), holes(kMostPunctures),
       threadRadius(scene.threadRadius), particles(scene.tissueRest.size()),
       threadNodes(static_cast<std::size_t>(std::max(scene.threadNodes, 0))) {
   for (int k = 0; k < scene.maxStitches; ++k) stitches.push_back(uploadTube(stitchTube));

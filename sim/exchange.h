@@ -40,7 +40,6 @@ struct ContactPlane {
 struct LocalContact {
   static constexpr int kMaxPlanes = 4;
   std::uint64_t step = 0;                    // physics step that produced it
-  std::uint64_t sampleTick = 0;              // haptic tick of the ToolSample it was computed from
   Vec3 position = Vec3::Zero();              // [m] x0: device position it was computed at
   Vec3 force = Vec3::Zero();                 // [N] on the hand, at x0
   Mat3 stiffness = Mat3::Zero();             // [N/m]
@@ -114,18 +113,20 @@ struct NeedlingView {
 inline constexpr int kStitchPoints = 18;     // tail, knot, holes, knot, tail; sim/suture/stitch_course.h
 inline constexpr int kStitchKnots[2] = {2, kStitchPoints - 3};   // of these: where the two strands meet in the knot
 
+inline constexpr int kMostPunctures = 128;   // drawn: all that a thread can have, then those of tied stitches as far as there is room
+
 struct RenderSnapshot {
   std::uint64_t step = 0;
   double time = 0.0;                         // [s]
   std::vector<Vec3> tissue;                  // [m] one per tissue particle
   std::vector<Vec3> thread;                  // [m] one per thread node, tail first, swage last
-  std::vector<double> twist;                 // [rad] material-frame angle per thread node
+  std::vector<double> twist;                 // [rad] material-frame angle per thread node; no physics turns it: zero but in tests of the picture
   Pose needle;                               // needle frame, see NeedleShape
   bool threadOnTable = false;                // neither thread nor needle has been handed yet
   std::array<ToolView, kHands> tools;
   std::array<ClampView, kMostClamps> clamps;
   int clampCount = 0;
-  std::vector<Vec3> punctures;               // [m] open puncture holes; capacity RenderScene::maxPunctures, size = punctureCount
+  std::vector<Vec3> punctures;               // [m] kMostPunctures long; the first punctureCount are open puncture holes
   int punctureCount = 0;
   int procedureStep = 0;                     // index of the current step; == size when completed
   std::vector<Vec3> stitches;                // [m] the thread of each tied stitch, kStitchPoints a stitch, ends included
@@ -216,7 +217,6 @@ struct RenderScene {
   std::vector<std::string> stepIds;
   int stitchesWanted = 0;                    // of the whole procedure; 0: it does not repeat
   int maxStitches = 0;
-  int maxPunctures = 64;
 };
 
 /// Levels for the panels and the HUD.
@@ -230,9 +230,9 @@ struct PhysicsStatus {
   double stepMilliseconds = 0.0;             // [ms] cost of the last step
 };
 
-/// A parameter changed while running; main thread -> physics thread, between two steps, recorded.
+/// What is asked of the assistant while running; main thread -> physics thread, between two steps, recorded.
 struct Command {
-  enum class Kind : std::uint8_t { kNone, kSetGravity, kReset,
+  enum class Kind : std::uint8_t { kNone, kSetGravity, kReset,   // these two nobody asks for and no step answers: sessions store the numbers of those that follow
                                    kFreshThread,  // the assistant hands a needled thread; sim/suture/fresh_thread.h
                                    kChangeInstrument,  // of hand `value`; sim/tools/instrument.h
                                    kHandOver           // the clamp in hand `value` to the assistant; sim/tools/standing_clamps.h

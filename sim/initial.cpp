@@ -83,7 +83,8 @@ void prepareSutureSnapshot(const Model& m, RenderSnapshot& r) {
   r.bruised.assign(m.mesh.vertices.size(), 0.0);
   r.thread.resize(m.strand.nodes);
   r.twist.assign(m.strand.nodes, 0.0);
-  r.punctures.resize(StrandState::kMaxHoles);
+  static_assert(kMostPunctures >= StrandState::kMaxHoles);
+  r.punctures.resize(kMostPunctures);
   r.stitches.resize(m.params.thread.spare > 0 ? TiedStitches::kMost * kStitchPoints : 0);
 }
 

@@ -48,7 +48,7 @@ void carryForces(const Model& m, double lumenPressure, State& s) {   // [Pa]
 /// A sample that is not a number moves nothing: the tool stays where it was.
 ToolSample safeSample(const ToolSample& sample, const ToolState& t) {
   const bool finite = sample.pose.position.allFinite() && sample.pose.orientation.coeffs().allFinite() && sample.jaw == sample.jaw &&
-                      sample.pose.position.squaredNorm() < 1.0 && sample.pose.orientation.squaredNorm() > 0.25;
+                      sample.pose.position.squaredNorm() < 1.0 && sample.pose.orientation.squaredNorm() > 0.25 && sample.pose.orientation.squaredNorm() < 4.0;
   ToolSample safe = sample;
   if (!finite) { safe.pose = t.device; safe.jaw = t.jaw; }
   safe.pose.orientation.normalize();

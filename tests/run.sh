@@ -66,7 +66,8 @@ release_suite() {
 
 # The golden hashes were written by gcc, optimised; clang without optimisation must reach the same bits.
 other_compiler() {
-  build clang halsted halsted_app_tests && ctest --no-tests=error --test-dir build/clang -j "$jobs" --output-on-failure -R 'Golden|Determinism'
+  build clang halsted halsted_app_tests halsted_sim_tests &&
+    ctest --no-tests=error --test-dir build/clang -j "$jobs" --output-on-failure -R 'Golden|Determinism|EveryBuild'
 }
 
 # Address and undefined-behaviour sanitizers over every folder's tests; the long-running ones only in the full mode.

@@ -101,7 +101,8 @@ void report(const Hands& hands, const Schedule& schedule, double lateness, Worst
   for (int i = 0; i < kHands; ++i) {
     const Vec3& force = hands[i].output.force;
     record.force[i] = {static_cast<float>(force.x()), static_cast<float>(force.y()), static_cast<float>(force.z())};
-    record.faults[i] = status.faultCode[i] = hands[i].output.faults;
+    record.faults[i] = hands[i].output.faults;
+    status.faultCode[i] = hands[i].output.faults & haptics::kFaultCutMask;   // the others only shape the force
     status.force[i] = force;
   }
   status.tick = schedule.tick;

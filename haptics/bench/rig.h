@@ -44,7 +44,6 @@ struct Rig {
     if (index % static_cast<std::uint64_t>(every) != 0) return;
     LocalContact fresh = environment.step(output.sample, config.period * every);
     fresh.step = ++steps;
-    fresh.sampleTick = output.sample.tick;
     const int slot = static_cast<int>(steps % kLine);
     line[slot] = fresh;
     if (steps > static_cast<std::uint64_t>(delay)) contact = line[static_cast<int>((steps - delay) % kLine)];

@@ -58,6 +58,7 @@ std::size_t sealOpenFrame(std::uint8_t type, std::uint8_t sequence, std::span<co
 bool decodeIdentity(std::span<const std::uint8_t> payload, OpenIdentity& identity) {
   if (payload.size() < kIdentityBytes) return false;
   const std::uint8_t* p = payload.data();
+  if (take16(p + 6) == 0 || take16(p + 8) == 0) return false;
   identity.oldest = p[0];
   identity.newest = p[1];
   identity.firmware = take16(p + 2);

@@ -37,6 +37,7 @@ struct OpenState {
   std::uint16_t buttons = 0;
   std::uint8_t status = 0, lastForce = 0;
 };
+/// False when it is too short or declares no peak or no continuous force: the limits divide by it.
 bool decodeIdentity(std::span<const std::uint8_t> payload, OpenIdentity&);
 /// False when it is too short or its quaternion has no length.
 bool decodeState(std::span<const std::uint8_t> payload, OpenState&) noexcept;

@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "sim/constraints/colour_order.h"
 
-#include "sim/constraints/constraint.h"
+#include <algorithm>
 
 namespace halsted {
 namespace {
@@ -21,20 +21,25 @@ template <std::size_t N> int takeColour(const std::array<int, N>& particles, std
 
 }  // namespace
 
-template <std::size_t N> std::vector<int> colourOrder(const std::vector<std::array<int, N>>& particles) {
+template <std::size_t N> std::vector<int> colours(const std::vector<std::array<int, N>>& particles) {
   int last = -1;
   for (const auto& list : particles)
     for (int p : list) last = std::max(last, p);
   std::vector<std::vector<char>> taken(last + 1);
-  std::vector<int> colour, order;
-  for (std::size_t c = 0; c < particles.size(); ++c) {
-    colour.push_back(takeColour(particles[c], taken));
-    order.push_back(static_cast<int>(c));
-  }
+  std::vector<int> colour;
+  for (const auto& list : particles) colour.push_back(takeColour(list, taken));
+  return colour;
+}
+
+template <std::size_t N> std::vector<int> colourOrder(const std::vector<std::array<int, N>>& particles) {
+  const std::vector<int> colour = colours(particles);
+  std::vector<int> order;
+  for (std::size_t c = 0; c < particles.size(); ++c) order.push_back(static_cast<int>(c));
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return colour[a] < colour[b]; });
   return order;
 }
 
+template std::vector<int> colours(const std::vector<std::array<int, 4>>&);
 template std::vector<int> colourOrder(const std::vector<std::array<int, 2>>&);
 template std::vector<int> colourOrder(const std::vector<std::array<int, 4>>&);
 

@@ -1,10 +1,13 @@
 #pragma once
 /// Positional constraints in the manner of XPBD (Macklin, Mueller and Chentanez 2016): a constraint is arrays that a step never
 /// changes, and three plain functions. No base class, no virtual call, no registry: callers name each set, in the order they want.
+/// A sweep goes by colour, then index (colour_order.h): projections of a colour overlap in the processor instead of waiting for each other.
+/// No scene uses these two sets: they are measured against the solvers of sim/tissue in tests/bench and held to their laws in tests/sim.
 #include <concepts>
 #include <span>
 #include <vector>
 
+#include "sim/constraints/colour_order.h"
 #include "sim/types.h"
 
 namespace halsted {
@@ -27,9 +30,5 @@ concept Constraint = requires(const C& set, double h, Particles& particles, cons
   project(set, h, particles, multiplier);
   { energy(set, still) } -> std::convertible_to<double>;
 };
-
-/// Order of a sweep: by colour, then index. Constraints of a colour share no particle, so their projections overlap in the processor
-/// instead of waiting for each other. Greedy; the order depends on the list alone.
-template <std::size_t N> std::vector<int> colourOrder(const std::vector<std::array<int, N>>& particles);
 
 }  // namespace halsted

@@ -30,14 +30,13 @@ void feelNothing(const SurfaceFrame& foot, const Vec3& at, const Onset& onset, L
   c.planes[0] = {foot.position - onset.pressed * foot.normal, foot.normal};
 }
 
-void beginContact(const NeedlingState& s, const ToolSample& sample, LocalContact& c) {
+void beginContact(const NeedlingState& s, LocalContact& c) {
   c.step = s.step;
-  c.sampleTick = sample.tick;
   c.puncture = false;
 }
 
 void stepFinger(const NeedlingModel& m, const ToolSample& sample, NeedlingState& s, LocalContact& out) {
-  beginContact(s, sample, out);
+  beginContact(s, out);
   const SurfaceFrame f = nearestPoint(m.surface[0], sample.pose.position, s.fingerUnit, 2);
   s.fingerUnit = f.unit;
   const double depth = -(sample.pose.position - f.position).dot(f.normal);   // [m]
@@ -239,7 +238,7 @@ void moveInside(const NeedlingModel& m, const ToolSample& sample, NeedlingState&
 }
 
 void stepNeedle(const NeedlingModel& m, const ToolSample& sample, NeedlingState& s, NeedlingOutput& out) {
-  beginContact(s, sample, out.needle);
+  beginContact(s, out.needle);
   if (s.layers[0].phase == LayerPhase::kFree && !touchSkin(m, sample.pose.position, s, out.needle)) return;
   if (s.layers[0].phase == LayerPhase::kDimpled && !dimpleSkin(m, sample, s, out)) return;
   moveInside(m, sample, s, out);

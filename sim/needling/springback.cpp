@@ -2,18 +2,9 @@
 
 #include <cmath>
 
+#include "sim/materials/matrix_calculus.h"
+
 namespace halsted {
-namespace {
-
-Mat3 cofactors(const Mat3& a) {
-  Mat3 c;
-  c.col(0) = a.col(1).cross(a.col(2));
-  c.col(1) = a.col(2).cross(a.col(0));
-  c.col(2) = a.col(0).cross(a.col(1));
-  return c;
-}
-
-}  // namespace
 
 Mat3 rotationOf(const Mat3& a) {
   constexpr int kSteps = 12;
@@ -21,7 +12,7 @@ Mat3 rotationOf(const Mat3& a) {
   if (!(size > 0.0)) return Mat3::Identity();
   Mat3 x = a / size;
   for (int k = 0; k < kSteps; ++k) {
-    const Mat3 c = cofactors(x);
+    const Mat3 c = cofactor(x);
     const double det = x.col(0).dot(c.col(0));   // [1]
     if (!(det > 1e-9)) return Mat3::Identity();
     x = 0.5 * (x + c / det);

@@ -51,7 +51,8 @@ void layAtRest(const StrandModel&, const Pose& needle, StrandState&);
 /// False when the table is full: the caller counts it.
 bool addLink(StrandWork&, const StrandLink&);
 
-/// Advances by dt under gravity and the links in `work`. False if the system could not be solved (nothing is changed then).
+/// Advances by dt under gravity and the links in `work`. False if the system could not be solved: then nothing has moved, but the tensions are those of
+/// the last iterate that could be, and with `touch` its drag and its count of dropped contacts have changed too.
 /// With `touch`, thread also meets thread and the solids named there.
 bool solveStrand(const StrandModel&, double dt, const Vec3& gravity, StrandState&, StrandWork&, ThreadTouch* touch = nullptr);   // [s]
 

@@ -1,6 +1,7 @@
 #include "sim/suture/hole_sides.h"
 
 #include "sim/lanes.h"
+#include "sim/suture/exchange.h"
 #include "sim/suture/holes.h"
 #include "sim/suture/strand_sample.h"
 
@@ -19,14 +20,6 @@ const Hole* leadingHole(const Model& m, const StrandState& s, double coordinate)
   return best;
 }
 
-/// A vertex of the face that the hole is in.
-int vertexAt(const Model& m, const Hole& h) {
-  int heaviest = 0;
-  for (int c = 1; c < 4; ++c)
-    if (h.weight[c] > h.weight[heaviest]) heaviest = c;
-  return m.tissue.tets[h.tet][heaviest];
-}
-
 }  // namespace
 
 bool onMucosa(const Model& m, const Hole& h) {
@@ -41,7 +34,7 @@ void rememberSides(const Model& m, State& state) {
     const Hole* h = leadingHole(m, s, i < nodes ? m.strand.place[i] : m.strand.sampleCoordinate[i - nodes]);
     if (h == nullptr) continue;
     const bool inside = m.bowels.wallDepth[s.nearVertex[i]] > 0.5;
-    if (inside != onMucosa(m, *h)) follow(m, static_cast<int>(i), vertexAt(m, *h), s);
+    if (inside != onMucosa(m, *h)) follow(m, static_cast<int>(i), vertexOf(m, *h), s);
   }
 }
 

@@ -17,7 +17,8 @@ struct KnottingMotion {
   std::array<GraspLinks, kHands> grasps;
 };
 
-/// Solves the strand's step; false if it could not be solved. Thread that is pulled too hard breaks.
+/// Solves the strand's step; false if a substep could not be solved: then the thread stays where those before it have taken it. Thread that is
+/// pulled too hard breaks.
 bool solveKnottedStrand(const Model&, const KnottingMotion&, State&, StepOutput&);
 
 /// After the contacts are settled: the push of the thread on the tools it lies against, where the last substep has left them.

@@ -9,6 +9,7 @@
 #include "sim/suture/pierced_wall.h"
 #include "sim/suture/strand_sample.h"
 #include "sim/tools/tool_shape.h"
+#include "sim/tools/touch.h"
 
 namespace halsted {
 namespace {
@@ -20,18 +21,10 @@ constexpr double kStickSlide = 2e-7;           // [m] per step: below it frictio
 constexpr double kWedged = 0.3e-3;             // [m] below an edge: so far thread has cut in
 constexpr double kCoarse = 1.5e-3;             // [m] nodes that lie closer cannot pass a wall on both sides
 
-double triangleCompliance(const Model& m, int triangle, const std::array<double, 3>& w) {
-  const auto& v = m.surface.triangles[triangle];
-  double sum = 0.0;                            // [m/N]
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) sum += w[i] * w[j] * compliance(m.tissue.projective, v[i], v[j]);
-  return sum;
-}
-
 /// What the tissue gives under one sample while its neighbours, and the holes, push too.  [m/N]
 double giveOfTissue(const Model& m, const StrandSample& x, const SurfacePoint& near, State& state) {
   const double crowd = x.thread ? std::fmax(1.0, kNodeSpacing / segmentAt(m.strand, x.coordinate)) : 1.0;   // [1] where nodes lie closer, more of them press on the same tissue
-  const double own = triangleCompliance(m, near.triangle, near.weight), guess = crowd * kTissueShare * own;   // [m/N]
+  const double own = surfaceCompliance(m, {near.triangle, near.weight}, {near.triangle, near.weight}), guess = crowd * kTissueShare * own;   // [m/N]
   if (!sumsExchange(m, state)) return guess;
   const int vertex = vertexOf(m, near.triangle, near.weight);
   return std::fmax(guess, own + movedByContacts(m, vertex, state.work.exchange) + movedByHoles(m, vertex, state.work.exchange));

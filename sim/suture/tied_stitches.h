@@ -29,7 +29,7 @@ struct TiedStitch {
   static constexpr int kMostHoles = 8, kLeg = 5;
   std::int32_t holeCount = 0;
   std::array<TissuePoint, kMostHoles> hole{};  // in the order in which the thread runs through them, round the loop
-  std::array<Vec3, kMostHoles> force{};        // [N] on the tissue
+  std::array<Vec3, kMostHoles> force = zeroVectors<kMostHoles>();   // [N] on the tissue
   std::array<double, kMostHoles * kMostHoles> give{};   // [m/N] compliance between holes
   double shared = 0.0;                         // [m/N] how far the other stitches close this loop when each pulls with a newton, at most
   double length = 0.0;                         // [m] of the loop without tension

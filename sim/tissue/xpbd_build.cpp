@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "sim/constraints/colour_order.h"
 #include "sim/tissue/tissue_model.h"
 
 namespace halsted {
@@ -10,27 +11,6 @@ namespace {
 constexpr int kLanes = XpbdModel::kLanes;
 constexpr int kMaxSubsteps = 64;               // above this a step costs more than the millisecond that it simulates
 constexpr double kPromise = 0.05;              // [1] DESIGN 6: stretch under load true within 5 %
-
-/// Greedy: each tet takes the first colour that none of its particles has yet.
-std::vector<int> colourTets(const TissueModel& m) {
-  std::vector<std::vector<char>> used(m.mass.size());
-  std::vector<int> colour(m.tets.size());
-  for (std::size_t t = 0; t < m.tets.size(); ++t) {
-    int c = 0;
-    const auto taken = [&] {
-      return std::any_of(m.tets[t].begin(), m.tets[t].end(), [&](int v) {
-        return c < static_cast<int>(used[v].size()) && used[v][c];
-      });
-    };
-    while (taken()) ++c;
-    colour[t] = c;
-    for (int v : m.tets[t]) {
-      if (static_cast<int>(used[v].size()) <= c) used[v].resize(c + 1, 0);
-      used[v][c] = 1;
-    }
-  }
-  return colour;
-}
 
 void appendGroup(const TissueModel& m, const int* tets, int count, XpbdModel& x) {
   const int g = x.groups++;
@@ -47,7 +27,7 @@ void appendGroup(const TissueModel& m, const int* tets, int count, XpbdModel& x)
 }
 
 void buildGroups(const TissueModel& m, XpbdModel& x) {
-  const std::vector<int> colour = colourTets(m);
+  const std::vector<int> colour = colours(m.tets);
   x.order.resize(m.tets.size());
   for (std::size_t t = 0; t < x.order.size(); ++t) x.order[t] = static_cast<int>(t);
   std::stable_sort(x.order.begin(), x.order.end(), [&](int a, int b) { return colour[a] < colour[b]; });

@@ -11,10 +11,13 @@ namespace {
 
 constexpr double kBackSpeed = 0.5;             // [m/s] of a tool that comes free: the hand's, and no farther in a step than contacts are looked for
 
+constexpr double kMostPlaces = 1e4;            // [1] 10 m: no tool goes so far, and a damaged state must not keep the step busy for ever
+
 /// Is tissue in the way of a tool from here to where it is?
 bool runsIntoTissue(const Model& m, int hand, const Vec3& from, const State& s) {   // [m]
   const Pose& to = s.tools[hand].proxy;
-  const int places = static_cast<int>(std::ceil((to.position - from).norm() / kFastest));
+  const double way = std::ceil((to.position - from).norm() / kFastest);   // [1] of kFastest
+  const int places = way < kMostPlaces ? static_cast<int>(way) : 0;
   for (int k = 1; k <= places; ++k)
     if (liesInTissue(m, hand, {from + static_cast<double>(k) / places * (to.position - from), to.orientation}, s)) return true;
   return false;

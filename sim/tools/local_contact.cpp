@@ -75,7 +75,6 @@ void writeLocalContact(const Model& m, const State& s, int hand, const ToolSampl
   const ToolState& t = s.tools[hand];
   const double coupling = m.params.tools[hand].couplingStiffness;
   c.step = s.step;
-  c.sampleTick = sample.tick;
   c.position = t.device.position;
   c.force = t.force;
   Mat3 k = touchStiffness(m, s, hand);

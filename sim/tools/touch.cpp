@@ -12,13 +12,7 @@ constexpr int kSweeps = 40;                    // Gauss-Seidel sweeps at most, s
 constexpr double kSettled = 1e-3;              // [N] a sweep that changes no force by more than this is the last
 constexpr double kLeastGive = 1e-6;            // [m/N] of tissue that is held in place
 
-double tissueCompliance(const Model& m, const TouchPoint& a, const TouchPoint& b) {
-  const auto &u = m.surface.triangles[a.triangle], &v = m.surface.triangles[b.triangle];
-  double sum = 0.0;                            // [m/N]
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) sum += a.weight[i] * b.weight[j] * compliance(m.tissue.projective, u[i], v[j]);
-  return sum;
-}
+SurfacePlace placeOf(const TouchPoint& p) { return {p.triangle, p.weight}; }
 
 void fillCompliance(const Model& m, State& s) {
   TouchWork& w = s.work.touch;
@@ -26,7 +20,7 @@ void fillCompliance(const Model& m, State& s) {
     for (int j = i; j < w.count; ++j) {
       const TouchPoint &a = w.point[i], &b = w.point[j];
       const double coupling = a.hand == b.hand ? 1.0 / couplingOf(m, s, a.hand) : 0.0;
-      const double c = tissueCompliance(m, a, b) + coupling;
+      const double c = surfaceCompliance(m, placeOf(a), placeOf(b)) + coupling;
       w.compliance[i * TouchWork::kMax + j] = c;
       w.compliance[j * TouchWork::kMax + i] = c;
     }
@@ -142,7 +136,15 @@ void dropContacts(const Model& m, int hand, State& s) {
   clearContacts(0, t);
 }
 
-double touchCompliance(const Model& m, const TouchPoint& p) { return tissueCompliance(m, p, p); }
+double surfaceCompliance(const Model& m, const SurfacePlace& a, const SurfacePlace& b) {
+  const auto &u = m.surface.triangles[a.triangle], &v = m.surface.triangles[b.triangle];
+  double sum = 0.0;                            // [m/N]
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) sum += a.weight[i] * b.weight[j] * compliance(m.tissue.projective, u[i], v[j]);
+  return sum;
+}
+
+double touchCompliance(const Model& m, const TouchPoint& p) { return surfaceCompliance(m, placeOf(p), placeOf(p)); }
 
 Vec3 contactForce(const ToolState& t) {
   Vec3 sum = Vec3::Zero();
@@ -177,7 +179,7 @@ Mat3 touchStiffness(const Model& m, const State& s, int hand) {
     double row = 0.0;                          // [m/N] what the point gives when all points of this tool are pushed alike
     for (int j = 0; j < w.count; ++j) {
       const TouchPoint& q = w.point[j];
-      if (q.hand == hand && (q.grasp || q.force.squaredNorm() > 0.0)) row += std::fabs(tissueCompliance(m, p, q));
+      if (q.hand == hand && (q.grasp || q.force.squaredNorm() > 0.0)) row += std::fabs(surfaceCompliance(m, placeOf(p), placeOf(q)));
     }
     row = std::fmax(row, kLeastGive);
     const double normal = p.force.dot(p.normal);

@@ -16,6 +16,15 @@ void gatherTouchForces(const Model&, const State&, std::vector<Vec3>& nodal);
 /// The tool lets go of what it touches, but not of what its jaws hold: those forces are no longer the tissue's.
 void dropContacts(const Model&, int hand, State&);
 
+/// A point of a surface triangle.
+struct SurfacePlace {
+  int triangle;
+  const std::array<double, 3>& weight;         // [1]
+};
+
+/// How far a newton at one place of the surface moves another within a step.  [m/N]
+double surfaceCompliance(const Model&, const SurfacePlace&, const SurfacePlace&);
+
 /// What the tissue gives at one point when it is pushed there for one step [m/N].
 double touchCompliance(const Model&, const TouchPoint&);
 

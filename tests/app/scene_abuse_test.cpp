@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <string>
 
+#include "sim/fits.h"
 #include "tests/app/abuse_watch.h"
 #include "tests/app/energy_audit.h"
 #include "tests/app/scenario_for_tests.h"
@@ -144,6 +146,41 @@ TEST_P(WildHands, StayFiniteAndNothingIsFlung) {
   EXPECT_EQ(deepest_.through, 0);
   EXPECT_LE(audit_.created(), 5e-3);            // [J] at a time
   EXPECT_LE(liveliest_, 0.5 * mass * 1.6 * 1.6);   // all of it at 1.6 m/s, ten times as fast as the hands: the law of RandomHands
+  std::string error;
+  EXPECT_TRUE(fits(scenario_.model, s, error)) << error;
+}
+
+/// Everything that may be asked of the assistant, again and again and of hands that there are not. Where two instruments and clamps are laid out and thread is handed.
+TEST(WildCommands, AreAnsweredAtAnyMomentAndLeaveEverythingFinite) {
+  constexpr Command::Kind kKinds[] = {Command::Kind::kFreshThread, Command::Kind::kChangeInstrument, Command::Kind::kHandOver};
+  constexpr double kValues[] = {0.0, 1.0, -1e300, 1e300, std::numeric_limits<double>::quiet_NaN()};   // [1]
+  const Scenario scenario = scenarioFromFile(testing::sourceFolder() + "/scenes/altemeier/expert.toml", {"thread.assist=knot"});
+  Lockstep run(scenario);
+  while (run.time() < 0.1 && run.advance()) {}
+  State& s = run.state();
+  HandNoise hands(5, Vec3(0.0, 18e-3, 18e-3));   // [m] about the fold
+  StepInput input = handsAsTheyAre(s);
+  StepOutput out;
+  int answers[3] = {}, asked = 0;
+  double most = 0.0;                           // [N]
+  for (int k = 0; k < 800; ++k) {
+    hands.move(input);
+    input.command = {};
+    if (k % 7 == 0) { input.command = {kKinds[asked % 3], kValues[asked % 5]}; ++asked; }
+    step(scenario.model, input, s, out);
+    ASSERT_TRUE(finite(s)) << "step " << k;
+    for (const ToolState& t : s.tools) most = std::max(most, t.force.norm());
+    for (int e = 0; e < out.eventCount; ++e) {
+      const EventKind kind = out.events[e].kind;
+      answers[0] += kind == EventKind::kThreadHanded || kind == EventKind::kThreadRefused;
+      answers[1] += kind == EventKind::kInstrumentChanged || kind == EventKind::kInstrumentRefused;
+      answers[2] += kind == EventKind::kClampHandedOver || kind == EventKind::kClampRefused;
+    }
+  }
+  for (int kind = 0; kind < 3; ++kind) EXPECT_EQ(answers[kind], asked / 3 + (kind < asked % 3 ? 1 : 0)) << kind;
+  EXPECT_LT(most, 60.0);
+  std::string error;
+  EXPECT_TRUE(fits(scenario.model, s, error)) << error;
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 /// (the measures of the field: Z-width, energy over a cycle, limit cycles).
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdio>
+#include <vector>
 
 #include "tests/haptics/press_release.h"
 
@@ -106,13 +108,22 @@ TEST(HapticStability, OneNewtonPerMillimetreIsStableWithThreeHands) {
 }
 
 /// The wall's plane is published 2 mm ahead, as the simulator does: a bare device that is thrown at it else bounces for seconds.
+constexpr double kSearchFactor = 1.4142135623730951;   // [1]
 double stiffestQuietWall(Press press, double upTo) {  // [N/m]
   double best = 0.0;  // [N/m]
-  for (double stiffness = 250.0; stiffness <= upTo; stiffness *= 1.4142135623730951) {
+  for (double stiffness = 250.0; stiffness <= upTo; stiffness *= kSearchFactor) {
     if (!stable(pressAndRelease(SpringWall{stiffness, 0.0, 2e-3}, press))) break;
     best = stiffness;
   }
   return best;
+}
+
+/// No wider with a longer period or a greater delay, within a step of the search.
+void expectShrinks(const std::array<double, 9>& width, const char* hand) {   // [N/m] period by period, delay by delay
+  for (int cell = 0; cell < 9; ++cell) {
+    if (cell % 3 > 0) { EXPECT_LE(width[cell], 1.001 * kSearchFactor * width[cell - 1]) << hand << ", period " << cell / 3 << ", delay " << cell % 3; }
+    if (cell / 3 > 0) { EXPECT_LE(width[cell], 1.001 * kSearchFactor * width[cell - 3]) << hand << ", period " << cell / 3 << ", delay " << cell % 3; }
+  }
 }
 
 TEST(HapticStability, ZWidthShrinksWithPeriodAndDelayAndLacksNothingThatFrictionGives) {
@@ -121,23 +132,28 @@ TEST(HapticStability, ZWidthShrinksWithPeriodAndDelayAndLacksNothingThatFriction
   std::printf("stiffest quiet wall [N/m]; with friction 2 f/D = %.0f N/m\n%-10s %9s %6s", 2 * 0.26 / 0.055e-3, "friction", "period", "delay");
   for (const NamedHand& hand : hands) std::printf(" %10s", hand.name);
   std::printf("\n");
-  for (const double friction : {0.26, 0.0})
-    for (const double period : {0.5e-3, 1e-3, 2e-3})
-      for (const int delay : {0, 2, 5}) {
-        std::printf("%-8.2f N %6.1f ms %6d", friction, period * 1e3, delay);
-        for (const NamedHand& hand : hands) {
-          Press press;
-          press.hand = hand.dynamics;
-          press.period = period;
-          press.delay = delay;
-          press.friction = friction;
-          const double stiffest = stiffestQuietWall(press, 12000.0);  // [N/m]
-          std::printf(" %10.0f", stiffest);
-          const bool promised = friction > 0.0 && period <= 1e-3 && hand.dynamics.damping > 0.0;
-          EXPECT_GE(stiffest, promised ? 1000.0 : 0.0) << hand.name;
-        }
-        std::printf("\n");
+  constexpr double kPeriods[] = {0.5e-3, 1e-3, 2e-3};   // [s]
+  constexpr int kDelays[] = {0, 2, 5};                  // periods
+  for (const double friction : {0.26, 0.0}) {
+    std::vector<std::array<double, 9>> width(hands.size());   // [N/m] by hand, then period and delay
+    for (int cell = 0; cell < 9; ++cell) {
+      const double period = kPeriods[cell / 3];         // [s]
+      const int delay = kDelays[cell % 3];
+      std::printf("%-8.2f N %6.1f ms %6d", friction, period * 1e3, delay);
+      for (std::size_t h = 0; h < hands.size(); ++h) {
+        Press press;
+        press.hand = hands[h].dynamics;
+        press.period = period;
+        press.delay = delay;
+        press.friction = friction;
+        const double stiffest = width[h][cell] = stiffestQuietWall(press, 12000.0);  // [N/m]
+        std::printf(" %10.0f", stiffest);
+        if (friction > 0.0 && period <= 1e-3 && hands[h].dynamics.damping > 0.0) { EXPECT_GE(stiffest, 1000.0) << hands[h].name; }
       }
+      std::printf("\n");
+    }
+    for (std::size_t h = 0; h < hands.size(); ++h) expectShrinks(width[h], hands[h].name);
+  }
 }
 
 }  // namespace

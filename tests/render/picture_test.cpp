@@ -84,6 +84,17 @@ TEST_F(Picture, ChangesWithEachThingThatMoves) {
   EXPECT_TRUE(changes([](RenderSnapshot& s) { s.openingArea = 0.0; }));          // a shut lumen is darker
 }
 
+TEST_F(Picture, ShowsEveryHoleThatThereCanBe) {
+  constexpr int kMost = kMostPunctures;
+  Renderer renderer(scene, kWidth, kHeight);
+  const int inView = snapshot.punctureCount;
+  snapshot.punctures.insert(snapshot.punctures.begin(), kMost - inView, Vec3(0.0, 0.0, 1.0));   // behind the camera
+  snapshot.punctureCount = kMost - inView;
+  const Frame without = renderer.draw(snapshot, noHud(), scene.camera);
+  snapshot.punctureCount = kMost;
+  EXPECT_GT(difference(without, renderer.draw(snapshot, noHud(), scene.camera), 8), 0.0);
+}
+
 TEST_F(Picture, DrawsTheHeadUpDisplayOnlyWhenAsked) {
   Renderer renderer(scene, kWidth, kHeight);
   const Frame a = renderer.draw(snapshot, noHud(), scene.camera);

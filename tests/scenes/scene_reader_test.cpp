@@ -2,10 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "scenes/scene.h"
-#include "scenes/scene_fields.h"
 #include "tests/scenes/wall_laws.h"
 
 namespace halsted {
@@ -53,50 +51,6 @@ TEST(Scenes, AreListedInOrder) {
   EXPECT_TRUE(std::is_sorted(folders.begin(), folders.end()));
   EXPECT_NE(std::find(folders.begin(), folders.end(), scenes::scenesDirectory() + "/purse_string"), folders.end());
   for (const std::string& folder : folders) EXPECT_NO_THROW(scenes::readScene(folder, {})) << folder;
-}
-
-/// A value inside the range of a field, other than its default, as TOML.
-std::string sampleValue(const scenes::SceneField& field) {
-  std::ostringstream number;
-  number << field.min + 0.25 * (field.max - field.min);
-  if (std::holds_alternative<double*>(field.slot)) return number.str();
-  if (std::holds_alternative<int*>(field.slot)) return std::to_string(static_cast<int>(field.min) + 3);
-  if (std::holds_alternative<std::uint64_t*>(field.slot)) return "77";
-  if (std::holds_alternative<Vec3*>(field.slot)) return "[0.1, 0.2, 0.3]";
-  if (std::holds_alternative<TissueSolver*>(field.slot)) return "\"xpbd\"";
-  if (std::holds_alternative<ToolKind*>(field.slot)) return "\"forceps\"";
-  if (std::holds_alternative<scenes::MaterialName>(field.slot)) return "\"fat\"";
-  return "\"x\"";
-}
-
-/// Some values only make sense together; here each is tried alone, so a refusal must at least name the key.
-TEST(SceneFields, AreEachReadFromTheFileAndFromAnOverride) {
-  SceneFile scratch;
-  for (const scenes::SceneField& field : scenes::sceneFields(scratch)) {
-    const std::string value = sampleValue(field), title = field.key == "title" ? "" : "title = \"t\"\n";
-    for (const bool fromFile : {true, false}) {
-      try {
-        fromFile ? parse(title + field.key + " = " + value) : withTitle("", {field.key + "=" + value});
-      } catch (const scenes::InputError& error) {
-        EXPECT_NE(std::string(error.what()).find(field.key), std::string::npos) << error.what();
-        EXPECT_EQ(std::string(error.what()).find("unknown"), std::string::npos) << error.what();
-      }
-    }
-  }
-}
-
-TEST(SceneFields, KeepTheirDefaultsInRange) {
-  SceneFile scene;
-  for (const scenes::SceneField& field : scenes::sceneFields(scene)) {
-    if (const auto* number = std::get_if<double*>(&field.slot)) {
-      EXPECT_GE(**number, field.min) << field.key;
-      EXPECT_LE(**number, field.max) << field.key;
-    }
-    if (const auto* number = std::get_if<int*>(&field.slot)) {
-      EXPECT_GE(**number, field.min) << field.key;
-      EXPECT_LE(**number, field.max) << field.key;
-    }
-  }
 }
 
 TEST(SceneReader, PutsValuesWhereTheyBelong) {

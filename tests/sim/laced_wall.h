@@ -10,7 +10,8 @@
 namespace halsted {
 
 struct LacedWall : ThreadedWall {
-  explicit LacedWall(std::span<const int> halfTwists, double friction = ThreadContactParams{}.friction) : LacedWall(curveOf(halfTwists), friction) {}   // [1]
+  explicit LacedWall(std::span<const int> halfTwists, double friction = ThreadContactParams{}.friction, int spare = 0)   // [1]; needled threads on the table
+      : LacedWall(curveOf(halfTwists), friction, spare) {}
 
   /// Both hands draw their ends apart until they feel `newtons`, for so long; then they hold still.
   void drawTight(double newtons, double seconds) {   // [N], [s]
@@ -26,6 +27,25 @@ struct LacedWall : ThreadedWall {
   void letGo(double seconds) {                 // [s]
     for (ToolSample& t : input.tools) t.jaw = 1.0;
     run(static_cast<int>(seconds / model.params.dt));
+  }
+  /// Both hands up and aside, with nothing in their jaws.
+  void goAside() {
+    constexpr int kSteps = 300;
+    for (int k = 0; k < kSteps; ++k) {
+      for (int hand = 0; hand < kHands; ++hand) {
+        const Vec3 to(hand == kLeft ? -0.06 : 0.06, 12e-3, 70e-3);   // [m]
+        input.tools[hand].pose.position += (to - input.tools[hand].pose.position) / (kSteps - k);
+      }
+      step();
+    }
+  }
+  /// As blades do, between the knot and the right hand.
+  void cutOff() { state.threadContacts.cut[model.strand.nodes - 12] = 1; }
+  /// Asks for a fresh thread, and steps.
+  void ask() {
+    input.command.kind = Command::Kind::kFreshThread;
+    step();
+    input.command = {};
   }
   /// Tension in the thread inside the wall.  [N]
   double stitchTension() const {
@@ -43,7 +63,7 @@ struct LacedWall : ThreadedWall {
     for (Vec3& p : curve) p = Vec3(2e-3 + p.x(), 12.1e-3 - p.z(), 23.2e-3 + p.y());   // its loop hangs down through the wall
     return curve;
   }
-  static SimParams paramsFor(std::size_t nodes, double friction) {   // [1]
+  static SimParams paramsFor(std::size_t nodes, double friction, int spare) {   // [1]
     SimParams p = wallParams();
     const SimParams thin = knotThread(kSegment);
     p.thread = thin.thread;
@@ -51,11 +71,12 @@ struct LacedWall : ThreadedWall {
     p.thread.nodes = static_cast<int>(nodes);
     p.thread.knots = true;
     p.thread.friction = friction;
+    p.thread.spare = spare;
     p.thread.breakingTension = ThreadContactParams{}.breakingTension;
     p.needle.tearForce = 50.0;
     return p;
   }
-  LacedWall(const std::vector<Vec3>& curve, double friction) : ThreadedWall(kNeedleAway, paramsFor(curve.size(), friction)) {
+  LacedWall(const std::vector<Vec3>& curve, double friction, int spare) : ThreadedWall(kNeedleAway, paramsFor(curve.size(), friction, spare)) {   // [1]
     state.strand.position = curve;
     state.strand.needle = KnotRig::needlePose(model.strand, curve);
     openHoles();

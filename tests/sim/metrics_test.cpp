@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -15,19 +16,34 @@ std::map<std::string, double> table(const MetricsState& m, double time = 0.0) { 
   return {rows.begin(), rows.end()};
 }
 
+/// Of every kind of scene: with all that one with thread may have, and of one that is needled.
+std::array<MetricsState, 2> everyKind() {
+  std::array<MetricsState, 2> kinds;
+  kinds[0].seam.emplace();
+  kinds[0].assistedKnots = 0;
+  kinds[0].cut.emplace();
+  kinds[0].biteCount = kMaxBites;
+  kinds[1].needling.emplace();
+  return kinds;
+}
+
 TEST(Metrics, EveryNameIsUniqueAndEveryValueFiniteFromTheFirstStep) {
-  std::set<std::string> names;
-  for (const auto& [name, value] : summarise(MetricsState{}, 0.0)) {
-    EXPECT_TRUE(names.insert(name).second) << name;
-    EXPECT_TRUE(std::isfinite(value)) << name;
+  for (const MetricsState& kind : everyKind()) {
+    std::set<std::string> names;
+    for (const auto& [name, value] : summarise(kind, 0.0)) {
+      EXPECT_TRUE(names.insert(name).second) << name;
+      EXPECT_TRUE(std::isfinite(value)) << name;
+    }
   }
 }
 
 TEST(Metrics, QuantitiesWithAUnitEndInIt) {
-  const std::set<std::string> counts = {"bites", "stitches_across_opening", "tears", "perforations"};
-  const std::set<std::string> units = {"s", "m", "m2", "n", "pa", "deg", "1"};
-  for (const auto& [name, value] : summarise(MetricsState{}, 0.0))
-    EXPECT_TRUE(counts.contains(name) || units.contains(name.substr(name.rfind('_') + 1))) << name;
+  const std::set<std::string> counts = {"bites", "stitches_across_opening", "tears", "perforations", "full_thickness_bites", "crossings", "burnt_tets", "free_pieces",
+                                        "pieces_taken", "crumbs", "assisted_knots", "twirl_strokes", "twirl_strokes_in_range", "lift_strokes", "lift_strokes_in_range"};
+  const std::set<std::string> units = {"s", "m", "m2", "n", "pa", "deg", "1", "j", "nm"};
+  for (const MetricsState& kind : everyKind())
+    for (const auto& [name, value] : summarise(kind, 0.0))
+      EXPECT_TRUE(counts.contains(name) || units.contains(name.substr(name.rfind('_') + 1))) << name;
 }
 
 TEST(Metrics, MeanForceIsOverLoadedStepsOnly) {

@@ -99,6 +99,35 @@ TEST(StateFields, EveryByteOutsideVectorsIsInTheListOrPadding) {
   }
 }
 
+/// Everything that can be there, in memory that held something else before.
+std::uint64_t hashOver(unsigned char before) {
+  std::vector<unsigned char> memory(sizeof(State) + alignof(State));
+  volatile unsigned char* byte = memory.data();  // else the compiler knows that nobody may look at it
+  for (std::size_t i = 0; i < memory.size(); ++i) byte[i] = before;
+  void* place = memory.data();
+  std::size_t room = memory.size();
+  State* s = new (std::align(alignof(State), sizeof(State), place, room)) State;
+  s->threadContacts.drag.assign(1, 0.0);
+  s->threadContacts.count = ThreadContactState::kMaxContacts;
+  s->strand.holeCount = StrandState::kMaxHoles;
+  s->knot.watched = true;
+  s->assist.emplace();
+  s->stitches.emplace().count = TiedStitches::kMost;
+  s->supply.emplace();
+  s->cut.emplace();
+  s->instruments.emplace();
+  s->clamps.emplace();
+  s->needling.emplace();
+  s->metrics.seam.emplace();
+  s->metrics.cut.emplace();
+  s->metrics.needling.emplace();
+  const std::uint64_t sum = hash(*s);
+  s->~State();
+  return sum;
+}
+
+TEST(StateFields, ANewStateHoldsNothingOfWhatLayInItsMemory) { EXPECT_EQ(hashOver(0x11), hashOver(0xee)); }
+
 TEST(StateFields, NamesFollowTheDeclarations) {
   State a = smallState();
   a.strand.holeCount = 4;

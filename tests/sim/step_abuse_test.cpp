@@ -8,6 +8,7 @@
 
 #include "tests/sim/hand_noise.h"
 #include "tests/sim/kinetic_energy.h"
+#include "tests/sim/laced_wall.h"
 #include "tests/support/realtime_guard.h"
 
 namespace halsted {
@@ -33,6 +34,7 @@ TEST(StepAbuse, AHostileSampleLeavesTheToolWhereItWas) {
         rig.step();
         ASSERT_TRUE(rig.finite()) << what << ", hand " << hand;
         ASSERT_EQ(rig.state.tools[hand].device.position, before.position) << what << ", hand " << hand;
+        ASSERT_NEAR(rig.state.tools[hand].device.orientation.norm(), 1.0, 1e-9) << what << ", hand " << hand;   // zero turned by anything is zero
         ASSERT_LT(rig.state.tools[hand].device.orientation.angularDistance(before.orientation), 1e-7) << what << ", hand " << hand;
       }
     }
@@ -129,6 +131,28 @@ TEST(StepRealtime, CallsNoHeapLockOrFile) {
     }
     EXPECT_EQ(guard.calls(), 0u) << guard.first();
   }
+}
+
+TEST(StepRealtime, CallsNoHeapLockOrFileWhileThreadIsKnottedKeptAndHanded) {
+  if (!test::RealtimeGuard::available()) GTEST_SKIP() << "the sanitizer owns malloc";
+  LacedWall w(std::vector<int>{3, -3}, ThreadContactParams{}.friction, 1);
+  HandNoise noise(4);
+  const test::RealtimeGuard guard;
+  w.drawTight(3.0, 0.6);
+  const int touching = w.state.threadContacts.count;
+  w.letGo(0.2);
+  w.cutOff();
+  w.goAside();
+  w.ask();
+  for (int k = 0; k < 500; ++k) {
+    noise.move(w.input);
+    w.step();
+  }
+  const std::uint64_t calls = guard.calls();
+  EXPECT_EQ(calls, 0u) << guard.first();
+  EXPECT_GT(touching, 0);
+  EXPECT_EQ(name(static_cast<ThreadRefusal>(w.state.supply->refusal)), std::string("handed"));
+  EXPECT_EQ(w.state.stitches->count + w.state.stitches->torn, 1);
 }
 
 TEST(Rest, AnUnloadedWallDoesNotMoveAtAll) {

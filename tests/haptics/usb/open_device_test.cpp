@@ -1,6 +1,7 @@
 /// The open wire protocol: the driver against the reference firmware over the loopback, and each against what must not pass.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "haptics/hand_loop.h"
@@ -75,6 +76,22 @@ TEST(OpenDevice, ButtonClosesTheJaws) {
   rig.run(200);
   EXPECT_EQ(rig.output.sample.jaw, 1.0);
   EXPECT_EQ(rig.output.sample.presses, 1u);
+}
+
+/// The limits divide by the continuous force: a device that gives none of its own cannot be driven, and would be switched on and off.
+TEST(OpenDevice, AnIdentityWithoutForceIsRefused) {
+  std::array<std::uint8_t, kHodIdentityBytes> payload{};
+  payload[0] = payload[1] = kOpenVersion;
+  const auto declared = [&](std::uint8_t peak, std::uint8_t continuous) {   // [256 mN]
+    payload[7] = peak;
+    payload[9] = continuous;
+    OpenIdentity identity;
+    return decodeIdentity(payload, identity);
+  };
+  EXPECT_TRUE(declared(16, 4));
+  EXPECT_FALSE(declared(16, 0));
+  EXPECT_FALSE(declared(0, 4));
+  EXPECT_FALSE(declared(0, 0));
 }
 
 TEST(OpenDevice, AnotherVersionIsNamedAndNotDriven) {
