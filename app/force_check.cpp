@@ -36,9 +36,7 @@ struct Bench {
     contact.touching = true;
     contact.force = force;
     contact.damping = Mat3::Identity() * 2.0;
-    const Vec3 before = output.sample.pose.position;
     haptics::tick(device, config, contact, still, ++tick, state, output);
-    check.newReadings += output.sample.pose.position != before;
     ++check.ticks;
   }
   Vec3 position() const { return output.sample.pose.position; }

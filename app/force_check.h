@@ -24,7 +24,7 @@ struct ForceCheck {
   double restNoise = 0.0;                      // [m] largest distance from the mean before the first push
   double largestForce = 0.0;                   // [N] sent
   double largestSpeed = 0.0;                   // [m/s]
-  std::uint64_t ticks = 0, newReadings = 0;    // readings whose pose differed from the one before
+  std::uint64_t ticks = 0;
   double seconds = 0.0;                        // [s]
   int interruptions = 0;                       // pushes begun again because no reading came for 10 ms
   bool ready = false, passed = false;

@@ -29,6 +29,9 @@ struct FrameWriter::Parts {
 
 FrameWriter::FrameWriter(const FrameOptions& options, const Scenario& scenario) : options_(options) {
   std::sort(options_.times.begin(), options_.times.end());
+  constexpr double kSlowest = 1.0, kFastest = 240.0;             // [Hz] what players show
+  if (!options_.video.empty() && !(options_.fps >= kSlowest && options_.fps <= kFastest))
+    throw scenes::InputError("--fps: a video needs 1 to 240 frames per second");
   if (!options_.video.empty() && (options_.width % 2 != 0 || options_.height % 2 != 0))
     throw scenes::InputError("--size: a video needs an even width and height");
   std::error_code error;

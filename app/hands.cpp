@@ -17,6 +17,8 @@ haptics::WorkspaceMapping operatingField() {
 
 }  // namespace
 
+bool heldByPerson(const DeviceChoice& choice) { return choice.mover == Mover::kMouse || !choice.hardware.driver.empty(); }
+
 DeviceChoice parseDevice(const std::string& option, const std::string& text) {
   if (text == "virtual") return {text, Mover::kNobody, "", {}};
   if (text == "mouse") return {text, Mover::kMouse, "", {}};

@@ -20,6 +20,8 @@ struct DeviceChoice {
   std::string scriptPath;
   HardwareChoice hardware;                     // no driver: a hand in software
 };
+/// A person's hand is on it: whether anything is left to do is for that person to say.
+bool heldByPerson(const DeviceChoice&);
 /// Throws scenes::InputError for a name that no device answers to.
 DeviceChoice parseDevice(const std::string& option, const std::string& text);
 

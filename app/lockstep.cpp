@@ -1,5 +1,7 @@
 #include "app/lockstep.h"
 
+#include "sim/fits.h"
+
 namespace halsted::app {
 
 Lockstep::Lockstep(const Scenario& scenario)
@@ -11,8 +13,17 @@ void Lockstep::seek(std::uint64_t step) {
   SessionReader& recording = *scenario_.recording;
   const auto stored = recording.storedBefore(step);
   if (!stored) return;
+  // A state that was damaged has indices that lead anywhere: nothing is stepped from but what was recorded.
+  std::uint64_t expected = hash(state_);
+  StepInput input;
   std::string error;
-  if (load(*recording.stateAfter(*stored), state_, error) && state_.step != *stored) error = "it is of step " + std::to_string(state_.step);
+  if (*stored > 0) {
+    recording.seek(*stored - 1);
+    if (!recording.next(input, expected)) error = "it lies beyond the end";
+  }
+  if (error.empty() && load(*recording.stateAfter(*stored), state_, error) && state_.step != *stored) error = "it is of step " + std::to_string(state_.step);
+  if (error.empty() && hash(state_) != expected) error = "it is damaged: it has not the recorded hash";
+  if (error.empty()) fits(scenario_.model, state_, error);       // a forged hash is no reason to crash either
   if (!error.empty()) throw scenes::InputError(recording.path() + ": state after step " + std::to_string(*stored) + ": " + error);
   recording.seek(*stored);
 }

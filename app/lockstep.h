@@ -14,10 +14,10 @@ namespace halsted::app {
 
 class Lockstep {
  public:
-  explicit Lockstep(const Scenario&);          // the scenario must outlive it
+  explicit Lockstep(const Scenario&);          // the scenario must outlive it; throws scenes::InputError where a script does not fit it
 
   /// Of a recording, before the first step: goes on from the last whole state that it holds after no more than so many steps, or from the
-  /// start where there is none. Throws scenes::InputError for a stored state of another model or step.
+  /// start where there is none. Throws scenes::InputError for a stored state of another model or step, or one that has not the recorded hash.
   void seek(std::uint64_t step);
 
   /// One physics step; false when there was nothing left to do: the scripts have ended, or the recording.

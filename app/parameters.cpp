@@ -14,7 +14,7 @@ std::string decimal(double value) {            // any unit
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 
-/// Text and paths are not parameters of the physics: the scene text keeps them, the anatomy is stored whole.
+/// A mesh or a material names a file: what came of it is stored instead, the anatomy whole, a material as its numbers.
 struct Printer {
   std::string operator()(const double* value) const { return decimal(*value); }
   std::string operator()(const int* value) const { return std::to_string(*value); }
@@ -29,7 +29,7 @@ struct Printer {
   std::string operator()(const ModelKind* kind) const { return *kind == ModelKind::kSuture ? "suture" : "needling"; }
   std::string operator()(const NetProfile* profile) const { return *profile == NetProfile::kCone ? "cone" : "inverse_distance"; }
   std::string operator()(const bool* value) const { return *value ? "true" : "false"; }
-  std::string operator()(const std::string*) const { return {}; }
+  std::string operator()(const std::string* text) const { return "\"" + *text + "\""; }
   std::string operator()(const scenes::MaterialName&) const { return {}; }
   std::string operator()(const scenes::MeshPath&) const { return {}; }
 };

@@ -2,12 +2,12 @@
 
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <thread>
 
 #include "app/errors.h"
+#include "app/output_files.h"
 #include "app/progress.h"
 #include "app/report.h"
 #include "app/resources.h"
@@ -80,17 +80,14 @@ void checkFrom(const PlayOptions& options, const Scenario& scenario) {
 
 /// What would fail at the end is better said before a run of minutes.
 void checkOptions(const PlayOptions& options, const Scenario& scenario) {
-  std::error_code ignored;
   if (options.from > 0.0) checkFrom(options, scenario);
   if (options.verify && !scenario.recording) throw scenes::InputError(options.file + ": --verify needs a recorded session, not a script");
-  if (!options.record.empty() && std::filesystem::equivalent(options.record, options.file, ignored))
-    throw scenes::InputError(options.record + ": --record would overwrite the file that is replayed");
+  checkOutputs(options.file, {{"--record", options.record}, {"--report", options.report}, {"--video", options.video}});
   if (!options.report.empty() && !std::ofstream(options.report, std::ios::app)) throw SystemFault(options.report + ": cannot write the report");
 }
 
 void finishRecording(SessionWriter& recorder, const Lockstep& run) {
   recorder.addState(run.state().step, save(run.state()));
-  recorder.note("state_hash", hexadecimal(hash(run.state())));
   recorder.close();
 }
 
@@ -103,6 +100,10 @@ int verdict(const PlayOptions& options, const Lockstep& run, const Audience& aud
                  static_cast<unsigned long long>(recording->steps()));
   if (audience.verifier && audience.verifier->failed()) {
     std::fprintf(stderr, "%s: %s\n", options.file.c_str(), audience.verifier->message().c_str());
+    return kCheckFailed;
+  }
+  if (audience.verifier && audience.verifier->stepsChecked() == 0) {
+    std::fprintf(stderr, "%s: nothing is verified: the recording holds no step\n", options.file.c_str());
     return kCheckFailed;
   }
   if (audience.verifier && !options.json)
@@ -124,9 +125,10 @@ int play(const PlayOptions& options, const WatcherMaker& makeWatcher) {
   if (options.from > 0.0) run.seek(static_cast<std::uint64_t>(options.from / scenario.model.params.dt + kRounding));
   Audience audience{nullptr, nullptr, nullptr, Trace(scenario.model.params.dt)};
   audience.toTheEnd = options.verify || options.requireComplete || !options.record.empty() || !options.report.empty();
-  if (!options.record.empty()) audience.recorder = std::make_unique<SessionWriter>(options.record, sessionHeader(scenario, ""));
   if (options.verify) audience.verifier = std::make_unique<Verifier>();
   if (makeWatcher) audience.watcher = makeWatcher(scenario);
+  // Last: an earlier session gives way to a run that nothing else keeps from beginning.
+  if (!options.record.empty()) audience.recorder = std::make_unique<SessionWriter>(options.record, sessionHeader(scenario, ""));
 
   const Spent spent = runThrough(options, run, audience);
   if (audience.recorder) finishRecording(*audience.recorder, run);

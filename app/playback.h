@@ -15,6 +15,7 @@ struct PlayOptions {
   bool verify = false, realtime = false, json = false, requireComplete = false;
   double from = 0.0;                           // [s] a recorded session goes on from the last whole state stored by then
   std::string record, report;                  // files to write; empty: none
+  std::string video;                           // that the watcher writes
 };
 
 /// Called with every state, the initial one included; `capture` draws from it. False: it has seen all that it wants.

@@ -80,13 +80,43 @@ std::string forcePlot(const Trace& trace, int hand) {
          points + "\"/></svg>";
 }
 
+/// Of an event's value (sim/exchange.h); null where an event has none.
+const char* unitOf(EventKind kind) {
+  switch (kind) {
+    case EventKind::kNeedleEntered:
+    case EventKind::kNeedleExited:
+    case EventKind::kNeedleReleased:
+    case EventKind::kThreadReleased:
+    case EventKind::kTissueReleased:
+    case EventKind::kChannelTorn:
+    case EventKind::kThreadBroken:
+    case EventKind::kLayerPunctured:
+    case EventKind::kClampReleased:
+    case EventKind::kWallPerforated: return "N";
+    case EventKind::kBiteCompleted:
+    case EventKind::kNeedleGrasped:
+    case EventKind::kThreadGrasped:
+    case EventKind::kStitchFinished: return "m";
+    case EventKind::kThrowTied: return "turns";
+    case EventKind::kTissueCut: return "J";
+    case EventKind::kPieceFree:
+    case EventKind::kPieceTaken: return "m^3";
+    default: return nullptr;
+  }
+}
+
+std::string valueOf(const Event& event) {
+  const char* unit = unitOf(event.kind);
+  return unit ? number("%.4g ", event.value) + unit : "";
+}
+
 std::string eventTable(const Trace& trace) {
   std::string html = "<table><tr><th>time</th><th>event</th><th>hand</th><th>index</th><th>value</th></tr>";
   for (const Event& event : trace.events()) {
     const char* hand = event.hand == kLeft ? "left" : event.hand == kRight ? "right" : "";
     html += "<tr><td class=n>" + number("%.3f s", static_cast<double>(event.step) * trace.dt()) + "</td><td>" + escaped(name(event.kind)) +
             "</td><td>" + hand + "</td><td class=n>" + (event.index >= 0 ? std::to_string(event.index) : "") + "</td><td class=n>" +
-            number("%.4g", event.value) + "</td></tr>";
+            valueOf(event) + "</td></tr>";
   }
   return html + "</table>";
 }

@@ -15,12 +15,6 @@ std::string number(const char* format, double value) {   // any unit
   return text;
 }
 
-std::string hexadecimal(std::uint64_t value) {
-  char text[20];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-  return text;
-}
-
 RunSummary summariseRun(const std::string& scene, const std::string& title, const Model& model, const State& state,
                         const Durations& steps, double wall) {   // wall [s]
   RunSummary run;

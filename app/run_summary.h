@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/fault_log.h"
+#include "app/hexadecimal.h"
 #include "app/timing.h"
 #include "sim/model.h"
 #include "sim/state.h"
@@ -37,7 +38,6 @@ struct RunSummary {
 /// `wall` is the time that the run took. Faults are counted, not named: the caller has kept the log of them.
 RunSummary summariseRun(const std::string& scene, const std::string& title, const Model&, const State&, const Durations& steps,
                         double wall);          // [s]
-std::string hexadecimal(std::uint64_t);
 std::string textOf(const RunSummary&);
 /// The object of `replay --json`; `extra` is inserted as further members, already JSON ("\"haptic\":{...}"), empty for none.
 std::string jsonOf(const RunSummary&, const std::string& extra);

@@ -6,27 +6,16 @@
 
 #include "app/parameters.h"
 #include "app/version.h"
+#include "scenes/input_text.h"
+#include "scenes/scene_reader.h"
 
 namespace fs = std::filesystem;
 
 namespace halsted::app {
 namespace {
 
-/// A scene's name, or a folder given on the command line: the user's word.
-std::string folderOfScene(const std::string& scene) {
-  std::error_code ignored;
-  if (scene.find('/') != std::string::npos) {
-    if (fs::exists(fs::path(scene) / "scene.toml", ignored)) return fs::path(scene).lexically_normal().string();
-    throw scenes::InputError(scene + ": no scene.toml in this folder");
-  }
-  std::string known;
-  for (const std::string& folder : scenes::sceneFolders()) {
-    const std::string name = fs::path(folder).filename().string();
-    if (name == scene) return folder;
-    known += (known.empty() ? "" : ", ") + name;
-  }
-  throw scenes::InputError(scene + ": unknown scene; known: " + known);
-}
+/// "file:line: scene" of a script.
+std::string placeOfScene(const scenes::ExpertScript& script) { return scenes::quoted(script.origin) + ":" + std::to_string(script.sceneLine) + ": scene"; }
 
 /// The folder that a script's `scene` names: its own when it lies in one of that name, else among the installed scenes.
 std::string folderOfScript(const std::string& path, const scenes::ExpertScript& script) {
@@ -34,8 +23,10 @@ std::string folderOfScript(const std::string& path, const scenes::ExpertScript& 
   const fs::path own = fs::absolute(fs::path(path), ignored).lexically_normal().parent_path();
   if (own.filename() == script.scene && fs::exists(own / "scene.toml", ignored)) return own.string();
   if (script.scene.find('/') != std::string::npos || script.scene.find("..") != std::string::npos)
-    throw scenes::InputError(path + ": scene: a name, not a path: " + script.scene);
-  return folderOfScene(script.scene);
+    throw scenes::InputError(placeOfScene(script) + ": a name, not a path: " + scenes::quoted(script.scene));
+  const std::string folder = scenes::installedScene(script.scene);
+  if (folder.empty()) throw scenes::InputError(placeOfScene(script) + ": unknown scene '" + scenes::quoted(script.scene) + "'; known scenes: " + scenes::knownScenes());
+  return folder;
 }
 
 void build(Scenario& scenario) {
@@ -60,15 +51,8 @@ Scenario scenarioFromSession(const std::string& path, const std::vector<std::str
   Scenario scenario;
   scenario.recording = std::make_unique<SessionReader>(path);
   const SessionHeader& header = scenario.recording->header();
-  std::vector<std::string> settings = header.parameters;
-  settings.push_back("anatomy.mesh=");          // the anatomy comes from the recording
-  settings.push_back("anatomy.layers_from=");
-  settings.insert(settings.end(), overrides.begin(), overrides.end());
-  scenario.scene = scenes::parseScene(header.sceneText, path + ":scene.toml", scenes::scenesDirectory() + "/" + header.scene, settings);
-  scenario.scene.name = header.scene;
-  scenario.scene.text = header.sceneText;
   bool otherAnatomy = false;
-  for (const std::string& entry : overrides) otherAnatomy = otherAnatomy || entry.rfind("anatomy.", 0) == 0;
+  scenario.scene = scenes::parseRecordedScene({header.scene, header.sceneText, header.overrides, header.parameters}, path, overrides, otherAnatomy);
   scenario.anatomy = otherAnatomy ? scenes::buildAnatomy(scenario.scene) : header.anatomy;
   build(scenario);
   scenario.start = header.start;
@@ -89,7 +73,7 @@ std::string nowText() {
 
 Scenario scenarioFromScene(const std::string& scene, const std::vector<std::string>& overrides,
                            const std::array<DeviceChoice, kHands>& devices) {
-  Scenario scenario = scenarioFromFolder(folderOfScene(scene), overrides);
+  Scenario scenario = scenarioFromFolder(scenes::findScene(scene), overrides);
   scenario.devices = devices;
   for (int hand = 0; hand < kHands; ++hand) {
     if (devices[hand].mover != Mover::kScript) continue;
@@ -97,7 +81,7 @@ Scenario scenarioFromScene(const std::string& scene, const std::vector<std::stri
     if (!shared) scenario.scripts.push_back(scenes::readExpert(devices[hand].scriptPath));
     scenario.scriptOfHand[hand] = static_cast<int>(scenario.scripts.size()) - 1;
     if (scenario.scripts.back().scene != scenario.scene.name)
-      throw scenes::InputError(devices[hand].scriptPath + ": scene: this script is for " + scenario.scripts.back().scene);
+      throw scenes::InputError(placeOfScene(scenario.scripts.back()) + ": this script is for " + scenario.scripts.back().scene);
   }
   return scenario;
 }
@@ -119,9 +103,10 @@ SessionHeader sessionHeader(const Scenario& scenario, const std::string& trainee
   header.overrides = scenario.scene.overrides;
   header.parameters = resolvedParameters(scenario.scene);
   for (const scenes::ExpertScript& script : scenario.scripts) header.expertText += script.text;
+  if (scenario.recording) header.expertText = scenario.recording->header().expertText;
   header.program = kVersionText;
   header.created = nowText();
-  header.trainee = trainee;
+  header.trainee = scenario.recording && trainee.empty() ? scenario.recording->header().trainee : trainee;
   for (int hand = 0; hand < kHands; ++hand) header.devices[hand] = scenario.devices[hand].text;
   header.dt = scenario.model.params.dt;
   header.seed = scenario.model.params.seed;

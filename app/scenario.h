@@ -31,7 +31,7 @@ Scenario scenarioFromScene(const std::string& scene, const std::vector<std::stri
 /// An expert script (.toml), which moves both hands, or a recorded session.
 Scenario scenarioFromFile(const std::string& path, const std::vector<std::string>& overrides);
 
-/// The header that a recording of this scenario begins with.
+/// The header that a recording of this scenario begins with; of a recording played again its own script and, where none is named, trainee.
 SessionHeader sessionHeader(const Scenario&, const std::string& trainee);
 
 }  // namespace halsted::app

@@ -1,6 +1,6 @@
 #pragma once
 /// The scripted surgeons of a run, one per script: after each step they look at the state and say where their hands want to be.
-/// Runs on the physics thread.
+/// Made on the main thread, so that a script which does not fit the scene is refused before anything runs; then on the physics thread.
 #include <array>
 #include <string>
 #include <vector>
@@ -11,9 +11,10 @@ namespace halsted::app {
 
 class Surgeons {
  public:
-  explicit Surgeons(const Scenario&);          // the scenario must outlive it
+  explicit Surgeons(const Scenario&);          // the scenario must outlive it; throws scenes::InputError
   /// True while a script has something left to do.
   bool advance(const State&);
+  const Scenario& scenario() const { return scenario_; }
   bool any() const { return !running_.empty(); }
   /// What they have asked for aloud, for the next step's input.
   const Command& command() const { return command_; }

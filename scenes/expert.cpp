@@ -133,12 +133,17 @@ ExpertScript readExpert(const std::string& path) { return parseExpert(readTextFi
 
 ExpertScript parseExpert(const std::string& text, const std::string& origin) {
   ExpertScript script;
+  script.origin = origin;
   script.text = text;
   const toml::table file = parseToml(text, origin);
   StitchPlan stitches;
   for (const auto& [part, node] : file) {
     const std::string key(part.str());
-    if (key == "scene") { script.scene = requireText(node, whereIs(origin, node, key)); continue; }
+    if (key == "scene") {
+      script.scene = requireText(node, whereIs(origin, node, key));
+      script.sceneLine = static_cast<int>(node.source().begin.line);
+      continue;
+    }
     if (key == "stitch_at_deg") { stitches.places = readPlaces(node, origin, key); continue; }
     if (key == "again_deg") { stitches.again = readAngles(node, whereIs(origin, node, key)); continue; }
     if (key != "action") throw InputError(whereIs(origin, node, key) + ": unknown key");
@@ -153,7 +158,7 @@ ExpertScript parseExpert(const std::string& text, const std::string& origin) {
   if (script.scene.empty()) throw InputError(origin + ":1: scene: is missing");
   if (script.actions.empty()) throw InputError(origin + ":1: action: the script does nothing");
   if (stitches.places.empty() && !stitches.again.empty()) throw InputError(origin + ":1: again_deg: needs stitch_at_deg");
-  if (!stitches.places.empty()) setStitches(stitches, origin, script.actions);
+  if (!stitches.places.empty()) setStitches(stitches, script.actions);
   return script;
 }
 

@@ -60,7 +60,9 @@ struct ExpertAction {
 /// `again_deg = [4, -4]`: a stitch that cannot be finished (a bite that does not come out, a throw that is lost too often, thread that leaves the tissue) is taken out and set anew with a
 /// fresh thread, so far from its place, as often as there are numbers; without the key the script ends there.
 struct ExpertScript {
+  std::string origin;                          // its file, for messages
   std::string scene;                           // folder name of the scene it is for
+  int sceneLine = 1;                           // where the file says so, for messages
   std::string text;                            // as read, kept for the session record
   std::vector<ExpertAction> actions;
 };
@@ -76,6 +78,7 @@ bool isSutureAction(const std::string& kind);
 struct ExpertState;
 struct ExpertStateDeleter { void operator()(ExpertState*) const; };
 using ExpertStatePtr = std::unique_ptr<ExpertState, ExpertStateDeleter>;
+/// Throws InputError naming file, line and key for an action that this scene does not have, or a bite that its wall has no place for.
 ExpertStatePtr beginExpert(const ExpertScript&, const Model&);
 
 /// Where both tools start, in the world; the virtual devices are placed there.

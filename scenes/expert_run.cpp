@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "scenes/expert_state.h"
-#include "scenes/scene.h"
+#include "scenes/input_text.h"
 
 namespace halsted::scenes {
 namespace {
@@ -82,9 +82,11 @@ void goOn(const State& state, std::size_t action, ExpertState& e) {
   e.actionStart = e.phaseStart = state.step;
 }
 
+/// "file:line: action." of the key that follows.
+std::string placeOf(const ExpertScript& script, const ExpertAction& a) { return quoted(script.origin) + ":" + std::to_string(a.line) + ": action."; }
+
 /// Is this an action of the scene's kind, on a point that it has?
-void checkTechnique(const ExpertAction& a, const Model& model) {
-  const std::string where = "line " + std::to_string(a.line) + ": action.";
+void checkTechnique(const ExpertAction& a, const std::string& where, const Model& model) {
   if (a.kind != "hold" && isSutureAction(a.kind) == model.body.has_value())
     throw InputError(where + "do: '" + a.kind + "' is not done in a scene of this kind");
   if ((a.kind == "hold_fold" || a.kind == "hand_over" || a.kind == "cut_ring" || a.kind == "take_away") && model.mesh.cuttable.empty())
@@ -101,10 +103,10 @@ void ExpertStateDeleter::operator()(ExpertState* e) const { delete e; }
 
 ExpertStatePtr beginExpert(const ExpertScript& script, const Model& model) {
   for (const ExpertAction& a : script.actions) {
-    checkTechnique(a, model);
+    checkTechnique(a, placeOf(script, a), model);
     BitePlan plan;
     if (a.kind == "bite" && !planPlaces(model, a, plan)) {
-      throw InputError("line " + std::to_string(a.line) + ": action.do: impossible bite: the wall has no place at that angle and depth, "
+      throw InputError(placeOf(script, a) + "do: impossible bite: the wall has no place at that angle and depth, "
                        "or the needle is too small for that width");
     }
   }

@@ -11,10 +11,11 @@ constexpr int kMostParticles = 20000;          // [1] beyond it no machine keeps
 constexpr double kThickestShare = 0.8;         // [1] of the radius: what the wall and the folds may take
 constexpr double kLongestThread = 3.0;         // [m]
 
-/// The place of the first of `keys` that was set, else the file.
+/// The place of the one of `keys` that was set last: what a user has set comes after the file, else the first of them; else the file.
 std::string placeOf(const std::string& origin, const SettingOrigins& origins, std::initializer_list<const char*> keys) {
-  for (const char* key : keys)
-    if (const auto found = origins.find(key); found != origins.end()) return found->second;
+  for (const bool byUser : {true, false})
+    for (const char* key : keys)
+      if (const auto found = origins.find(key); found != origins.end() && (!byUser || found->second.rfind("--set ", 0) == 0)) return found->second;
   return quoted(origin) + ": " + *keys.begin();
 }
 
@@ -60,7 +61,6 @@ bool hasClamp(const SimParams& params) {
 }
 
 void checkSuture(const SimParams& params, const std::string& origin, const SettingOrigins& origins) {
-  checkAnatomy(params.anatomy, origin, origins);
   if (params.thread.nodes * params.thread.segmentLength > kLongestThread)
     throw InputError(placeOf(origin, origins, {"thread.segment_length", "thread.nodes"}) + ": the thread is longer than " +
                      plainNumber(kLongestThread) + " m");
@@ -79,11 +79,13 @@ void checkSuture(const SimParams& params, const std::string& origin, const Setti
 
 }  // namespace
 
-void checkScene(const SceneFile& scene, const std::string& origin, const SettingOrigins& origins) {
+void checkScene(const SceneFile& scene, const std::string& origin, const SettingOrigins& origins, AnatomyIs anatomy) {
   if (scene.title.empty()) throw InputError(quoted(origin) + ": title: is missing");
   if (!scene.trainPreset.empty() && !scene.presets.count(scene.trainPreset))
     throw InputError(placeOf(origin, origins, {"train_preset"}) + ": this scene has no preset '" + quoted(scene.trainPreset) + "'");
-  if (scene.params.model == ModelKind::kSuture) checkSuture(scene.params, origin, origins);
+  const bool suture = scene.params.model == ModelKind::kSuture;
+  if (suture && anatomy == AnatomyIs::kToBeBuilt) checkAnatomy(scene.params.anatomy, origin, origins);
+  if (suture) checkSuture(scene.params, origin, origins);
   const Vec3 view = scene.camera.target - scene.camera.eye;  // [m]
   if (!(view.cross(scene.camera.up).norm() > 1e-6 * view.norm()))
     throw InputError(placeOf(origin, origins, {"camera.up", "camera.eye", "camera.target"}) +

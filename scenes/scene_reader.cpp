@@ -1,4 +1,6 @@
-/// readScene and parseScene: text -> TOML -> the field list -> a checked SceneFile.
+/// readScene, parseScene and parseRecordedScene: text -> TOML -> the field list -> a checked SceneFile.
+#include "scenes/scene_reader.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -107,39 +109,167 @@ void applyOverride(const std::string& text, PathTrust trust, SceneFile& scene, S
   setFieldFromText(*field, text.substr(equals + 1), {where, scene.folder, trust == PathTrust::kUser});
 }
 
-std::string knownScenes() {
-  std::string names;
-  for (const std::string& folder : sceneFolders()) names += (names.empty() ? "" : ", ") + fs::path(folder).filename().string();
-  return names.empty() ? "none in " + scenesDirectory() : names;
+/// Nothing of it is set yet.
+SceneFile unsetScene(const std::string& text, const std::string& origin, const std::string& folder) {
+  if (text.size() > kLargestFile) throw InputError(quoted(origin) + ": larger than " + std::to_string(kLargestFile) + " bytes");
+  SceneFile scene;
+  scene.folder = folder;
+  std::error_code ignored;
+  const fs::path place = fs::absolute(folder, ignored).lexically_normal();
+  scene.name = (place.has_filename() ? place : place.parent_path()).filename().string();
+  scene.text = text;
+  return scene;
+}
+
+bool hasScene(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::is_regular_file(folder / "scene.toml", ignored);
+}
+
+bool namesFile(const SceneField& field) { return std::holds_alternative<MeshPath>(field.slot) || std::holds_alternative<MaterialName>(field.slot); }
+
+/// Which of the keys that name a mesh did so when the session was recorded.
+using NamedMeshes = std::map<std::string, bool>;
+
+/// Takes the files that a recorded text names out of it.
+NamedMeshes takeOutFiles(SceneFile& scene, toml::table& root) {
+  NamedMeshes named;
+  for (const SceneField& field : sceneFields(scene)) {
+    const std::size_t dot = field.key.find('.');
+    if (std::holds_alternative<MeshPath>(field.slot)) named[field.key] = false;
+    toml::table* table = namesFile(field) ? root[field.key.substr(0, dot)].as_table() : nullptr;
+    if (!table) continue;
+    const std::string key = field.key.substr(dot + 1);
+    if (named.count(field.key)) named[field.key] = (*table)[key].value_or(std::string()) != "";
+    table->erase(key);
+  }
+  return named;
+}
+
+/// Settings with those of a preset in its place.
+std::vector<std::string> withoutPresets(const std::vector<std::string>& settings, const SceneFile& scene) {
+  std::vector<std::string> plain;
+  for (const std::string& setting : settings) {
+    const bool named = setting.rfind("preset=", 0) == 0;
+    const auto preset = named ? scene.presets.find(setting.substr(7)) : scene.presets.end();
+    if (preset != scene.presets.end()) plain.insert(plain.end(), preset->second.begin(), preset->second.end());
+    else if (!named) plain.push_back(setting);
+  }
+  return plain;
+}
+
+/// What was set for the recording, one by one. The values are among its parameters, all but the names of meshes.
+void noteSettings(const std::vector<std::string>& settings, const std::string& origin, NamedMeshes& named, SettingOrigins& origins) {
+  for (const std::string& setting : settings) {
+    const std::size_t equals = std::min(setting.find('='), setting.size());
+    const std::string key = setting.substr(0, equals);
+    origins[key] = quoted(origin) + ": recorded with --set " + quoted(setting);
+    if (named.count(key)) named[key] = equals + 1 < setting.size();
+  }
+}
+
+void applyParameter(const std::string& row, const std::string& origin, SceneFile& scene) {
+  const std::size_t equals = std::min(row.find('='), row.size());
+  const std::string key = row.substr(0, equals), where = quoted(origin) + ": parameter " + quoted(key);
+  const std::vector<SceneField> fields = sceneFields(scene);
+  const SceneField* field = find(fields, key);
+  if (!field || namesFile(*field)) throw InputError(where + ": unknown key");
+  setFieldFromText(*field, equals < row.size() ? row.substr(equals + 1) : "", {where, scene.folder, false});
+}
+
+struct SameValue {
+  const FieldSlot& other;
+  template <typename T> bool operator()(T* value) const { return *value == *std::get<T*>(other); }
+  bool operator()(const MaterialName&) const { return true; }   // its numbers are fields of their own
+  bool operator()(const MeshPath& mesh) const { return *mesh.path == *std::get<MeshPath>(other).path; }
+};
+
+/// Is it built from this?
+bool shapesAnatomy(const std::string& key) {
+  const std::string thickness = ".thickness";
+  return key == "sim.model" || key.rfind("anatomy.", 0) == 0 || (key.size() > thickness.size() && key.ends_with(thickness));
+}
+
+bool sameAnatomy(SceneFile a, SceneFile b) {   // copies: the field list points into a scene that it may write
+  const std::vector<SceneField> fields = sceneFields(a), others = sceneFields(b);
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    if (shapesAnatomy(fields[i].key) && !std::visit(SameValue{others[i].slot}, fields[i].slot)) return false;
+  return true;
+}
+
+bool setByUser(const SettingOrigins& origins, const std::string& key) {
+  const auto found = origins.find(key);
+  return found != origins.end() && found->second.rfind("--set ", 0) == 0;
+}
+
+/// A clear word is better than another anatomy than the one that was meant.
+void checkRebuild(const RecordedScene& recorded, const std::string& origin, const NamedMeshes& named, const SettingOrigins& origins) {
+  for (const auto& [key, was] : named)
+    if (was && !setByUser(origins, key))
+      throw InputError(quoted(origin) + ": another anatomy: the recorded one was built from a file that the session does not hold; name it with --set " + key + "=FILE");
+  const auto starts = [](const char* word) { return [word](const std::string& line) { return line.rfind(word, 0) == 0; }; };
+  const auto any = [&](const std::vector<std::string>& list, const char* word) { return std::any_of(list.begin(), list.end(), starts(word)); };
+  if (!any(recorded.parameters, "anatomy.layout=") && (any(recorded.settings, "anatomy.") || any(recorded.settings, "preset=")))
+    throw InputError(quoted(origin) + ": another anatomy: recorded by an earlier Halsted with settings of its own, which the session holds in part; record it anew");
 }
 
 }  // namespace
 
 SceneFile parseScene(const std::string& text, const std::string& origin, const std::string& folder,
                      const std::vector<std::string>& overrides, PathTrust trust) {
-  if (text.size() > kLargestFile) throw InputError(quoted(origin) + ": larger than " + std::to_string(kLargestFile) + " bytes");
-  SceneFile scene;
-  scene.folder = folder;
-  scene.name = fs::path(folder).lexically_normal().filename().string();
-  if (scene.name.empty()) scene.name = fs::path(folder).lexically_normal().parent_path().filename().string();
-  scene.text = text;
+  SceneFile scene = unsetScene(text, origin, folder);
   scene.overrides = overrides;
   SettingOrigins origins;
   applyFile(parseToml(text, origin), origin, scene, origins);
   for (const std::string& setting : overrides) applyOverride(setting, trust, scene, origins);
-  checkScene(scene, origin, origins);
+  checkScene(scene, origin, origins, AnatomyIs::kToBeBuilt);
   scene.origins = origins;
   return scene;
 }
 
+SceneFile parseRecordedScene(const RecordedScene& recorded, const std::string& origin, const std::vector<std::string>& overrides, bool& otherAnatomy) {
+  const std::string file = origin + ":scene.toml";
+  SceneFile scene = unsetScene(recorded.text, file, scenesDirectory() + "/" + recorded.name);
+  scene.name = recorded.name;
+  scene.overrides = recorded.settings;
+  scene.overrides.insert(scene.overrides.end(), overrides.begin(), overrides.end());
+  SettingOrigins origins;
+  toml::table root = parseToml(recorded.text, file);
+  NamedMeshes named = takeOutFiles(scene, root);
+  applyFile(root, file, scene, origins);
+  noteSettings(withoutPresets(recorded.settings, scene), origin, named, origins);
+  for (const std::string& row : recorded.parameters) applyParameter(row, origin, scene);
+  const SceneFile before = scene;
+  for (const std::string& setting : overrides) applyOverride(setting, PathTrust::kUser, scene, origins);
+  const auto leavesMesh = [&](const auto& mesh) { return mesh.second && setByUser(origins, mesh.first); };   // also for none
+  otherAnatomy = !sameAnatomy(before, scene) || std::any_of(named.begin(), named.end(), leavesMesh);
+  if (otherAnatomy) checkRebuild(recorded, origin, named, origins);
+  checkScene(scene, file, origins, otherAnatomy ? AnatomyIs::kToBeBuilt : AnatomyIs::kRecorded);
+  scene.origins = origins;
+  return scene;
+}
+
+std::string knownScenes() {
+  std::string names;
+  for (const std::string& folder : sceneFolders()) names += (names.empty() ? "" : ", ") + fs::path(folder).filename().string();
+  return names.empty() ? "none in " + scenesDirectory() : names;
+}
+
+std::string installedScene(const std::string& name) {
+  for (const std::string& folder : sceneFolders())
+    if (fs::path(folder).filename().string() == name) return folder;
+  return {};
+}
+
+std::string findScene(const std::string& scene) {
+  const std::string installed = installedScene(scene);
+  if (!installed.empty()) return installed;
+  if (!scene.empty() && hasScene(scene)) return scene.find('/') == std::string::npos ? "./" + scene : scene;
+  throw InputError("unknown scene '" + quoted(scene) + "': no such name, and no folder with a scene.toml; known scenes: " + knownScenes());
+}
+
 SceneFile readScene(const std::string& folder, const std::vector<std::string>& overrides) {
-  std::error_code ignored;
-  std::string place = folder;
-  const bool bareName = folder.find('/') == std::string::npos && !folder.empty() && folder != "." && folder != "..";
-  if (bareName && !fs::is_regular_file(fs::path(folder) / "scene.toml", ignored)) place = scenesDirectory() + "/" + folder;
-  const std::string path = (fs::path(place) / "scene.toml").string();
-  if (!fs::is_regular_file(path, ignored))
-    throw InputError("unknown scene '" + quoted(folder) + "': no " + quoted(path) + "; known scenes: " + knownScenes());
+  const std::string place = findScene(folder), path = (fs::path(place) / "scene.toml").string();
   return parseScene(readTextFile(path, kLargestFile), path, place, overrides);
 }
 
@@ -152,8 +282,7 @@ std::vector<std::string> sceneFolders() {
   std::vector<std::string> folders;
   std::error_code error;
   for (fs::directory_iterator it(scenesDirectory(), error), end; !error && it != end; it.increment(error)) {
-    std::error_code ignored;
-    if (fs::is_regular_file(it->path() / "scene.toml", ignored)) folders.push_back(it->path().string());
+    if (hasScene(it->path())) folders.push_back(it->path().string());
   }
   std::sort(folders.begin(), folders.end());
   return folders;

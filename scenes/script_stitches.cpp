@@ -72,17 +72,17 @@ std::vector<double> readAngles(const toml::node& node, const std::string& where)
 
 std::vector<StitchPlaces> readPlaces(const toml::node& node, const std::string& origin, const std::string& key) {
   const toml::table* levels = node.as_table();
-  if (!levels) return {{std::nullopt, readAngles(node, whereIs(origin, node, key))}};
+  if (!levels) return {{std::nullopt, readAngles(node, whereIs(origin, node, key)), whereIs(origin, node, key)}};
   std::vector<StitchPlaces> places;
   for (const auto& [part, angles] : *levels) {
     const std::string name(part.str()), where = whereIs(origin, angles, key + "." + name);
-    places.push_back({levelOf(name, where), readAngles(angles, where)});
+    places.push_back({levelOf(name, where), readAngles(angles, where), where});
   }
   if (places.size() != 2) throw InputError(whereIs(origin, node, key) + ": must have angles for both levels, none and knot");
   return places;
 }
 
-void setStitches(const StitchPlan& plan, const std::string& origin, std::vector<ExpertAction>& actions) {
+void setStitches(const StitchPlan& plan, std::vector<ExpertAction>& actions) {
   const auto changed = std::find_if(actions.rbegin(), actions.rend(), [](const ExpertAction& a) { return a.kind == "change_tools"; });
   const std::vector<ExpertAction> once(changed.base(), actions.end());
   actions.erase(changed.base(), actions.end());
@@ -90,13 +90,14 @@ void setStitches(const StitchPlan& plan, const std::string& origin, std::vector<
   int stitch = 0;
   for (const StitchPlaces& places : plan.places) {
     WrittenStitch written{places.level ? ofLevel(once, *places.level) : once, places.level, facing};
+    if (written.actions.empty()) throw InputError(places.where + ": no action is done there: none follows the last change_tools at this level of assistance");
     for (std::size_t p = 0; p < places.degrees.size(); ++p) {
       const double place = places.degrees[p];  // [deg]
       // A fresh thread at a stitch's end is asked for between stitches and not after the last.
       if (p + 1 == places.degrees.size() && written.actions.size() > 1 && written.actions.back().kind == "fresh_thread") written.actions.pop_back();
       setOne(written, place, {stitch, 0}, actions);
       for (std::size_t i = 0; i < plan.again.size(); ++i) setOne(written, place + plan.again[i], {stitch, static_cast<int>(i) + 1}, actions);
-      if (actions.size() > kMaxActions) throw InputError(origin + ": stitch_at_deg: more than 1000 actions");
+      if (actions.size() > kMaxActions) throw InputError(places.where + ": more than 1000 actions");
       ++stitch;
     }
   }

@@ -15,6 +15,7 @@ inline constexpr std::size_t kMaxActions = 1000;   // of a script
 struct StitchPlaces {
   std::optional<ThreadAssist> level;
   std::vector<double> degrees;                 // [deg]
+  std::string where;                           // "file:line: key", for messages
 };
 
 struct StitchPlan {
@@ -28,6 +29,7 @@ std::vector<double> readAngles(const toml::node&, const std::string& where);   /
 std::vector<StitchPlaces> readPlaces(const toml::node&, const std::string& origin, const std::string& key);
 
 /// The script's actions, of which those of a stitch (all that follow the last "change_tools", or all there are) become as many as there are stitches and attempts at them.
-void setStitches(const StitchPlan&, const std::string& origin, std::vector<ExpertAction>& actions);
+/// Throws InputError where nothing is done at a place.
+void setStitches(const StitchPlan&, std::vector<ExpertAction>& actions);
 
 }  // namespace halsted::scenes

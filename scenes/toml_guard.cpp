@@ -62,21 +62,25 @@ bool mayFollowBracket(const std::string& text, std::size_t i) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (c && std::strchr(kMarks, c));
 }
 
-/// RFC 3629. Length of the letter at `i` in bytes, 0 when it is not UTF-8.
-std::size_t decode(const std::string& text, std::size_t i, std::uint32_t& letter) {
-  const auto lead = static_cast<unsigned char>(text[i]);
-  const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-  if (lead < 0xc2 || lead > 0xf4 || i + length > text.size()) return 0;
-  letter = lead & (0x7fu >> length);
-  for (std::size_t k = 1; k < length; ++k) {
-    const auto next = static_cast<unsigned char>(text[i + k]);
-    if ((next & 0xc0) != 0x80) return 0;
-    letter = letter << 6 | (next & 0x3f);
+/// How deep the tables go that a text asks for: each dot of a key is one level, and toml++ walks the levels by recursion. A key has none of the
+/// marks that end it; keys within one bracket add up. The dots of a number are not a key's: no '=' follows them.
+struct KeyDepth {
+  static constexpr int kMostParts = 64, kMostTogether = 1024;    // [1] of one key; dots of all keys from a first bracket to where the last one closes
+  int dots = 0, together = 0, open = 0;        // [1]
+
+  /// Of a character outside texts and comments. False: too deep.
+  bool take(char c) {
+    if (c == '.') return ++dots < kMostParts;
+    const bool ends = c == '=' || c == ',' || c == '[' || c == ']' || c == '{' || c == '}' || c == '\n';
+    if (!ends) return true;
+    if (c == '[' || c == '{') ++open;
+    if (c == ']' || c == '}') --open;
+    if (c == '=') together += dots;
+    if (c == '\n' && open <= 0) together = open = 0;
+    dots = 0;
+    return together <= kMostTogether;
   }
-  constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
-  const bool surrogate = letter >= 0xd800 && letter <= 0xdfff;
-  return letter < kLeast[length] || letter > 0x10ffff || surrogate ? 0 : length;
-}
+};
 
 /// Copies text piece by piece, always knowing the line.
 struct AsciiWriter {
@@ -84,19 +88,21 @@ struct AsciiWriter {
   const std::string& origin;
   std::string out;
   long line = 1;
+  KeyDepth depth{};
 
   [[noreturn]] void fail(const char* what) const { throw InputError(quoted(origin) + ":" + std::to_string(line) + ": " + what); }
 
   void addAscii(std::size_t i, bool bare) {
     if (isControl(static_cast<unsigned char>(text[i]))) fail("a control character");
     if (bare && text[i] == '[' && !mayFollowBracket(text, i + 1)) fail("'[' without a name or value");
+    if ((bare || text[i] == '\n') && !depth.take(text[i])) fail("a key of more than 64 parts, or too many in one another");
     if (text[i] == '\n') ++line;
     out.push_back(text[i]);
   }
 
   std::size_t addLetter(std::size_t i, const Place& place) {
     std::uint32_t letter = 0;
-    const std::size_t length = decode(text, i, letter);
+    const std::size_t length = decodeLetter(text, i, letter);
     if (length == 0) fail("bytes that are not UTF-8");
     if (place.comment) {
       out.push_back('?');

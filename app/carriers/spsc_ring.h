@@ -35,7 +35,6 @@ class SpscRing {
   }
 
   std::uint64_t dropped() const noexcept { return dropped_.load(std::memory_order_relaxed); }   // any thread
-  std::size_t capacity() const noexcept { return slots_.size() - 1; }
 
  private:
   std::size_t following(std::size_t index) const noexcept { return index + 1 == slots_.size() ? 0 : index + 1; }

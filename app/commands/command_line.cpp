@@ -1,8 +1,10 @@
 /// The command line: what there is, what it means, with examples. Everything else is in the commands.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <iostream>
 
 #include "app/commands/commands.h"
+#include "app/commands/number_range.h"
 #include "app/commands/usage_error.h"
 #include "app/errors.h"
 #include "app/version.h"
@@ -59,7 +61,7 @@ void addPlayOptions(CLI::App& command, PlayOptions& play) {
   command.add_option("--record", play.record, "write a session file");
   command.add_option("--report", play.report, "write an HTML report: procedure, metrics, forces");
   command.add_option("--from", play.from, "go on from the last whole state that a recorded session holds by then, in seconds (one every 5000 steps)")
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(numberFrom(0.0, 1e9));
   command.add_flag("--json", play.json, "print the outcome as JSON");
   command.add_flag("--require-complete", play.requireComplete, "exit code 1 unless the whole procedure was completed");
 }
@@ -76,12 +78,12 @@ void addCapture(CLI::App& app, CommandLine& line) {
   addPlayOptions(*command, line.play);
   command->add_option("--out", line.frames.folder, "folder for PNG frames");
   command->add_option("--video", line.frames.video, "video file (.mp4), needs ffmpeg");
-  command->add_option("--fps", line.frames.fps, "frames per second of simulated time")->capture_default_str()->check(CLI::Range(0.1, 1000.0));
+  command->add_option("--fps", line.frames.fps, "frames per second of simulated time")->capture_default_str()->check(numberFrom(0.1, 1000.0));
   command->add_option("--size", line.size, "WIDTHxHEIGHT in pixels (default 1280x720)");
   command->add_option("--at", line.frames.times,
                       "PNG frames at these times only, in seconds: 5,20,60; the run ends with the last, unless a video, record, report or check is asked for")
       ->delimiter(',')
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(numberFrom(0.0, 1e9));
   command->footer("Example: halsted capture run.halsted --video run.mp4 --fps 30 --size 1280x720 --out frames --at 5,20,60\n"
                   "Example: halsted capture run.halsted --out frames --from 370 --at 372,380");
 }
@@ -98,7 +100,7 @@ void addTrain(CLI::App& app, CommandLine& line) {
   command->add_option("--trainee", train.trainee, "name kept in the recording");
   command->add_option("--record", train.record, "write a session file");
   command->add_flag("--headless", train.headless, "the same threads without a window");
-  command->add_option("--seconds", train.seconds, "end after this much wall-clock time")->check(CLI::Range(1e-3, 1e6));
+  command->add_option("--seconds", train.seconds, "end after this much wall-clock time")->check(numberFrom(1e-3, 1e6));
   command->add_option("--size", line.size, "WIDTHxHEIGHT in pixels (default 1280x720)");
   command->add_flag("--json", train.json, "print the outcome as JSON");
   command->add_flag("--verbose", train.verbose, "log events and skipped ticks");
@@ -140,7 +142,7 @@ void addSurvey(CLI::App& app, CommandLine& line) {
   score->add_option("FILE", line.survey.scores, "CSV: system,rater,<one column per index>")->required();
   score->add_option("--questionnaire", line.survey.questionnaire, "acupuncture, rectal_prolapse, or a TOML file")->capture_default_str();
   score->add_option("--delphi", line.survey.delphi, "CSV of experts' weights: round,expert,<one column per index>");
-  score->add_option("--mu", line.survey.preference, "share of the subjective weights (default: the questionnaire's)")->check(CLI::Range(0.0, 1.0));
+  score->add_option("--mu", line.survey.preference, "share of the subjective weights (default: the questionnaire's)")->check(numberFrom(0.0, 1.0));
   score->add_flag("--json", line.survey.json, "print the outcome as JSON");
   score->footer("Example: halsted survey score raters.csv --delphi experts.csv --json");
 }
@@ -157,6 +159,24 @@ int dispatch(const CLI::App& app, CommandLine& line) {
   if (app.got_subcommand("survey")) return scoreSurvey(line.survey);
   if (app.got_subcommand("devices")) return devices(line.devices);
   return train(line.train);
+}
+
+/// False: it only asked for --help or --version, which has been printed.
+bool parsed(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {
+    app.exit(request);
+    return false;
+  }
+  return true;
+}
+
+/// What was printed has been lost where the disk is full: whoever reads it must not take the run for done.
+int printed(int code) {
+  std::cout.flush();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) || !std::cout) throw SystemFault("standard output: cannot be written");
+  return code;
 }
 
 int report(const std::exception& error, int code) {
@@ -180,10 +200,8 @@ int runCommandLine(int argc, char** argv) {
   addSurvey(app, line);
   addDevices(app, line);
   try {
-    app.parse(argc, argv);
-    return dispatch(app, line);
+    return printed(parsed(app, argc, argv) ? dispatch(app, line) : kDone);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);      // --help, --version
     std::fprintf(stderr, "halsted: %s\n", usageLine(app, error).c_str());
     return kBadInput;
   } catch (const scenes::InputError& error) {

@@ -10,7 +10,9 @@ int replay(const PlayOptions& options) { return play(options, nullptr); }
 int capture(const PlayOptions& options, const FrameOptions& frames) {
   if (frames.folder.empty() && frames.video.empty()) throw scenes::InputError("capture: nothing to write; give --out DIR or --video FILE.mp4");
   std::unique_ptr<FrameWriter> writer;
-  const int code = play(options, [&](const Scenario& scenario) -> Watcher {
+  PlayOptions watched = options;
+  watched.video = frames.video;
+  const int code = play(watched, [&](const Scenario& scenario) -> Watcher {
     writer = std::make_unique<FrameWriter>(frames, scenario);
     return [&writer](const Lockstep& run) { return writer->see(run); };
   });

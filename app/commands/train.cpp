@@ -14,6 +14,7 @@
 #include "app/resources.h"
 #include "app/threads/live_session.h"
 #include "app/window.h"
+#include "scenes/scene_reader.h"
 
 namespace halsted::app {
 namespace {
@@ -42,10 +43,9 @@ bool timeIsUp(const TrainOptions& options, const Stopwatch& watch) {
   return options.seconds > 0.0 && watch.seconds() >= options.seconds;
 }
 
-/// Every hand follows a script, and the scripts have ended.
+/// No hand is a person's, and the scripts have ended.
 bool nothingLeft(const Scenario& scenario, const LiveSession& session) {
-  const bool human = scenario.devices[kLeft].mover == Mover::kMouse || scenario.devices[kRight].mover == Mover::kMouse;
-  return session.scriptsEnded() && !human;
+  return session.scriptsEnded() && !heldByPerson(scenario.devices[kLeft]) && !heldByPerson(scenario.devices[kRight]);
 }
 
 void waitHeadless(const TrainOptions& options, const Scenario& scenario, LiveSession& session) {
@@ -145,10 +145,10 @@ std::array<DeviceChoice, kHands> chosenDevices(const TrainOptions& options) {
 }
 
 /// What was asked for; where no preset was named, the one that the scene keeps for `train` comes first, so that what was set wins over it.
-std::vector<std::string> trainOverrides(const TrainOptions& options) {
+std::vector<std::string> trainOverrides(const TrainOptions& options, const std::string& folder) {
   std::vector<std::string> overrides = options.overrides;
   const auto names = [](const std::string& text) { return text.rfind("preset=", 0) == 0; };
-  const std::string preset = scenes::readScene(options.scene, overrides).trainPreset;
+  const std::string preset = scenes::readScene(folder, overrides).trainPreset;
   if (preset.empty() || std::any_of(overrides.begin(), overrides.end(), names)) return overrides;
   overrides.insert(overrides.begin(), "preset=" + preset);
   std::fprintf(stderr, "halsted: %s is trained with its preset '%s'; --preset default for the scene as it is\n", options.scene.c_str(), preset.c_str());
@@ -160,7 +160,8 @@ std::vector<std::string> trainOverrides(const TrainOptions& options) {
 int train(const TrainOptions& options) {
   drawOnOneThread();                           // before any thread or OpenGL context
   const std::array<DeviceChoice, kHands> devices = chosenDevices(options);
-  const Scenario scenario = scenarioFromScene(options.scene, trainOverrides(options), devices);
+  const std::string folder = scenes::findScene(options.scene);
+  const Scenario scenario = scenarioFromScene(folder, trainOverrides(options, folder), devices);
   setUpLog(options.verbose);
   std::unique_ptr<Window> window;
   const int moved = devices[kLeft].mover == Mover::kMouse ? kLeft : kRight;

@@ -21,7 +21,8 @@ Database::Database(const std::string& path, Mode mode) {
   // Reading opens for writing where it may: after a kill SQLite must roll the unfinished transaction back.
   const int flags = mode == Mode::kCreate ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READWRITE;
   sqlite3* raw = nullptr;
-  const int code = sqlite3_open_v2(path.c_str(), &raw, flags | SQLITE_OPEN_NOMUTEX, nullptr);
+  const std::string place = path.rfind('/', 0) == 0 ? path : "./" + path;   // ":memory:" and "file:" are names like any other
+  const int code = sqlite3_open_v2(place.c_str(), &raw, flags | SQLITE_OPEN_NOMUTEX, nullptr);
   handle_.reset(raw);
   check(raw, code);
   sqlite3_busy_timeout(raw, kBusyMilliseconds);                    // somebody may look at a session while it is recorded
@@ -73,7 +74,6 @@ void Statement::run() {
   sqlite3_reset(handle_.get());
 }
 
-bool Statement::isNull(int column) const { return sqlite3_column_type(handle_.get(), column) == SQLITE_NULL; }
 std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(handle_.get(), column); }
 double Statement::real(int column) const { return sqlite3_column_double(handle_.get(), column); }
 

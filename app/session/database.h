@@ -28,7 +28,6 @@ class Statement {
   Statement& bind(int index, std::span<const std::uint8_t>);
   bool step();                                 // true: a row is there
   void run();                                  // to the end, then ready for the next binding
-  bool isNull(int column) const;
   std::int64_t integer(int column) const;
   double real(int column) const;               // [unit of the column]
   std::string text(int column) const;

@@ -1,7 +1,7 @@
 #pragma once
 /// What a session file (.halsted, SQLite) holds. Replay needs nothing else: scene, parameters and anatomy are inside.
-///   meta(key, value)                      scene, dt, seed, program, created, trainee, devices, closed
-///   parameter(key, value)                 every number of the scene, resolved, as `--set` takes it
+///   meta(key, value)                      scene, dt, seed, program, created, trainee, devices, closed, state_hash (of the last step, once closed)
+///   parameter(key, value)                 every number and text of the scene, resolved, as `--set` takes it; early files have no texts
 ///   anatomy(content, hash)                mesh_codec
 ///   start(hand, pose)                     where the tools began
 ///   chunk(first_step, count, inputs, hashes)   consumed StepInputs (step_codec) and the state hash after each

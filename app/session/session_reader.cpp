@@ -7,9 +7,10 @@
 #include <map>
 #include <sstream>
 
+#include "app/hexadecimal.h"
 #include "app/session/mesh_codec.h"
 #include "app/session/step_codec.h"
-#include "scenes/scene.h"
+#include "scenes/input_text.h"
 
 namespace halsted::app {
 namespace {
@@ -43,6 +44,7 @@ SessionReader::SessionReader(const std::string& path) : path_(path) {
   guarded([&] { readAnatomy(); });
   guarded([&] { readStart(); });
   guarded([&] { countSteps(); });
+  guarded([&] { checkEnd(); });
 }
 
 void SessionReader::open() {
@@ -55,6 +57,8 @@ void SessionReader::open() {
   if (format > kSessionFormat)
     reject("written by a newer Halsted (format " + std::to_string(format) + "; this one reads up to " + std::to_string(kSessionFormat) + ")");
   if (format < 1) reject("unknown format " + std::to_string(format));
+  Statement foreign = database_->prepare("SELECT name FROM sqlite_master WHERE type NOT IN ('table','index') OR sql LIKE 'CREATE VIRTUAL%' LIMIT 1");
+  if (foreign.step()) reject("not a Halsted session: it holds more than tables: " + scenes::quoted(foreign.text(0)));
   Statement check = database_->prepare("PRAGMA quick_check(1)");
   if (!check.step() || check.text(0) != "ok") reject("damaged or cut short: " + check.text(0));
 }
@@ -78,6 +82,7 @@ void SessionReader::readHeader() {
   if (!(dt >> header_.dt) || !(header_.dt > 0.0 && header_.dt <= 0.1)) reject("meta.dt_s: not a time step: " + meta["dt_s"]);
   if (!(seed >> header_.seed)) reject("meta.seed: not a number: " + meta["seed"]);
   closed_ = meta["closed"] == "yes";
+  endHash_ = meta["state_hash"];
   Statement parameters = database_->prepare("SELECT key, value FROM parameter ORDER BY key");
   while (parameters.step()) header_.parameters.push_back(parameters.text(0) + "=" + parameters.text(1));
 }
@@ -115,6 +120,17 @@ void SessionReader::countSteps() {
       reject(where + "its data has the wrong size");
     steps_ += static_cast<std::uint64_t>(count);
   }
+}
+
+/// A session that ended properly ends with the state that it names: the last steps may have been taken out since.
+void SessionReader::checkEnd() {
+  std::string recorded;
+  Statement row = database_->prepare("SELECT hashes FROM chunk ORDER BY first_step DESC LIMIT 1");
+  if (row.step()) {
+    const Blob hashes = row.blob(0);
+    recorded = hexadecimal(decodeWord(std::span(hashes).last(8)));
+  }
+  closed_ = closed_ && recorded == endHash_;
 }
 
 void SessionReader::loadChunk() {

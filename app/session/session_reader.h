@@ -17,7 +17,7 @@ class SessionReader {
 
   const SessionHeader& header() const { return header_; }
   std::uint64_t steps() const { return steps_; }
-  bool closedProperly() const { return closed_; }              // false: the program was killed; what is there is valid
+  bool closedProperly() const { return closed_; }              // false: the program was killed, or steps are gone from the end; what is there is valid
   const std::string& path() const { return path_; }
 
   /// Consumed input of the next step and the hash of the state after it; false at the end.
@@ -35,6 +35,7 @@ class SessionReader {
   void readAnatomy();
   void readStart();
   void countSteps();
+  void checkEnd();
   void loadChunk();
   [[noreturn]] void reject(const std::string& why) const;
   template <typename Action> void guarded(Action action);      // DatabaseError -> InputError
@@ -44,6 +45,7 @@ class SessionReader {
   SessionHeader header_;
   std::uint64_t steps_ = 0, nextStep_ = 0, chunkStart_ = 0;
   Blob inputs_, hashes_;
+  std::string endHash_;                        // of the last state, as the file says
   bool closed_ = false;
 };
 

@@ -1,10 +1,13 @@
 #include "app/session/session_writer.h"
 
+#include <sqlite3.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 
 #include "app/errors.h"
+#include "app/hexadecimal.h"
 #include "app/session/mesh_codec.h"
 #include "app/session/step_codec.h"
 #include "scenes/scene.h"
@@ -116,6 +119,7 @@ void SessionWriter::note(const std::string& key, const std::string& value) {
 void SessionWriter::addStep(const StepInput& input, std::uint64_t stateHash) {
   appendStepInput(input, inputs_);
   appendWord(stateHash, hashes_);
+  lastHash_ = stateHash;
 }
 
 void SessionWriter::addHaptic(const HapticRecord& record) { haptic_.push_back(record); }
@@ -135,25 +139,39 @@ void SessionWriter::addState(std::uint64_t step, const std::vector<std::uint8_t>
   });
 }
 
-void SessionWriter::commit() {
-  lastCommit_ = std::chrono::steady_clock::now();
+/// What is in the transaction is gathered no longer: a commit that fails must not write it twice.
+void SessionWriter::insertGathered() {
+  if (!hashes_.empty()) {
+    const std::size_t count = hashes_.size() / 8;
+    database_->prepare("INSERT INTO chunk VALUES(?,?,?,?)")
+        .bind(1, static_cast<std::int64_t>(firstStep_)).bind(2, static_cast<std::int64_t>(count))
+        .bind(3, std::span(inputs_)).bind(4, std::span(hashes_)).run();
+    firstStep_ += count;
+    inputs_.clear();
+    hashes_.clear();
+  }
+  if (!haptic_.empty()) {
+    const std::span bytes(reinterpret_cast<const std::uint8_t*>(haptic_.data()), haptic_.size() * sizeof(HapticRecord));
+    database_->prepare("INSERT INTO haptic VALUES(?,?,?)")
+        .bind(1, static_cast<std::int64_t>(haptic_.front().tick)).bind(2, static_cast<std::int64_t>(haptic_.size()))
+        .bind(3, bytes).run();
+    haptic_.clear();
+  }
+}
+
+bool SessionWriter::commit() {
+  bool done = true;
   guarded([&] {
-    if (!hashes_.empty())
-      database_->prepare("INSERT INTO chunk VALUES(?,?,?,?)")
-          .bind(1, static_cast<std::int64_t>(firstStep_)).bind(2, static_cast<std::int64_t>(hashes_.size() / 8))
-          .bind(3, std::span(inputs_)).bind(4, std::span(hashes_)).run();
-    if (!haptic_.empty()) {
-      const std::span bytes(reinterpret_cast<const std::uint8_t*>(haptic_.data()), haptic_.size() * sizeof(HapticRecord));
-      database_->prepare("INSERT INTO haptic VALUES(?,?,?)")
-          .bind(1, static_cast<std::int64_t>(haptic_.front().tick)).bind(2, static_cast<std::int64_t>(haptic_.size()))
-          .bind(3, bytes).run();
+    insertGathered();
+    try {
+      database_->execute("COMMIT; BEGIN");
+    } catch (const DatabaseError& error) {
+      if (error.code != SQLITE_BUSY) throw;
+      done = false;
     }
-    database_->execute("COMMIT; BEGIN");
   });
-  firstStep_ += hashes_.size() / 8;
-  inputs_.clear();
-  hashes_.clear();
-  haptic_.clear();
+  lastCommit_ = std::chrono::steady_clock::now();
+  return done;
 }
 
 void SessionWriter::commitWhenDue() {
@@ -161,8 +179,9 @@ void SessionWriter::commitWhenDue() {
 }
 
 void SessionWriter::close() {
+  if (steps() > 0) note("state_hash", hexadecimal(lastHash_));
   note("closed", "yes");
-  commit();
+  if (!commit()) throw SystemFault(path_ + ": cannot write the session: somebody holds the file");
   closed_ = true;
 }
 

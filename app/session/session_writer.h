@@ -25,8 +25,8 @@ class SessionWriter {
   void addState(std::uint64_t step, const std::vector<std::uint8_t>& saved);
   void addHaptic(const HapticRecord&);
   void note(const std::string& key, const std::string& value);
-  void commitWhenDue();                        // at most every 250 ms
-  void close();                                // commits and marks the session as ended properly
+  void commitWhenDue();                        // at most every 250 ms; later where somebody holds the file
+  void close();                                // commits and marks the session as ended properly, with the last recorded state
 
   std::uint64_t steps() const { return firstStep_ + hashes_.size() / 8; }
   const std::string& path() const { return path_; }
@@ -34,7 +34,8 @@ class SessionWriter {
  private:
   void createTables();
   void writeHeader(const SessionHeader&);
-  void commit();
+  void insertGathered();
+  bool commit();                               // false: somebody reads the file, the transaction stays open
   template <typename Action> void guarded(Action action);        // DatabaseError -> SystemFault naming the file
 
   std::string path_;
@@ -42,6 +43,7 @@ class SessionWriter {
   std::uint64_t firstStep_ = 0;                // of the chunk being gathered
   Blob inputs_, hashes_;
   std::vector<HapticRecord> haptic_;
+  std::uint64_t lastHash_ = 0;                 // of the state after the last step
   bool closed_ = false;
   std::chrono::steady_clock::time_point lastCommit_;
 };

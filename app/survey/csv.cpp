@@ -68,6 +68,7 @@ CsvTable readCsv(const std::string& file) {
     begin = end + 1;
     ++number;
     if (!line.empty() && line.back() == '\r') line.pop_back();
+    if (!scenes::isUtf8(line)) table.fail(number, "bytes that are not UTF-8");
     if (trimmed(line).empty()) continue;
     std::vector<std::string> fields = fieldsOf(line, table, number);
     if (table.header.empty()) { table.header = std::move(fields); continue; }

@@ -1,7 +1,6 @@
 #include "app/threads/live_session.h"
 
 #include "app/render_scene.h"
-#include "app/run_summary.h"
 #include "app/threads/realtime.h"
 
 namespace halsted::app {
@@ -32,7 +31,7 @@ render::Frame blankFrame(const RenderOptions& options) {
 }  // namespace
 
 LiveSession::LiveSession(const Scenario& scenario, const LiveOptions& options)
-    : scenario_(scenario), options_(options), scene_(renderScene(scenario)), state_(initialState(scenario.model, scenario.start)),
+    : scenario_(scenario), options_(options), surgeons_(scenario), scene_(renderScene(scenario)), state_(initialState(scenario.model, scenario.start)),
       links_(restingSamples(scenario), firstSnapshot(scenario, state_), blankFrame(options.render), state_) {
   for (int hand = 0; hand < kHands; ++hand) hands_[hand] = makeHand(scenario.devices[hand], scenario.start[hand]);
   if (!options.record.empty()) writer_ = std::make_unique<SessionWriter>(options.record, sessionHeader(scenario, options.trainee));
@@ -45,7 +44,7 @@ void LiveSession::start() {
   const std::array<Mover, kHands> movers{scenario_.devices[kLeft].mover, scenario_.devices[kRight].mover};
   recorder_ = std::thread([this] { runRecorder(writer_.get(), links_, finishRecording_, outcome_.recorder); });
   render_ = std::thread([this] { runRender(scene_, options_.render, scenario_.model, links_, outcome_.render); });
-  physics_ = std::thread([this] { runPhysics(scenario_, state_, links_, outcome_.physics); });
+  physics_ = std::thread([this] { runPhysics(surgeons_, state_, links_, outcome_.physics); });
   for (int hand = 0; hand < kHands; ++hand)
     if (hands_[hand].device->served()) service_[hand] = std::thread([this, hand] { runDevice(*hands_[hand].device, links_.stop); });
   haptic_ = std::thread([this, movers] { runHaptic(hands_, movers, links_, outcome_.haptic); });
@@ -62,7 +61,6 @@ const LiveOutcome& LiveSession::stop() {
   if (writer_ && outcome_.recorder.failure.empty()) {
     try {
       writer_->addState(state_.step, save(state_));
-      writer_->note("state_hash", hexadecimal(hash(state_)));
       writer_->close();
     } catch (const std::exception& error) {
       outcome_.recorder.failure = error.what();
@@ -78,6 +76,7 @@ std::string LiveSession::faultText() const {
     const std::string kept = writer_ ? "; the recording up to here is kept in " + writer_->path() : "";
     return std::string(gone == kLeft ? "left" : "right") + " device (" + scenario_.devices[gone].text + "): gone" + kept;
   }
+  if (!outcome_.physics.fault.empty()) return "physics: " + outcome_.physics.fault;
   if (!outcome_.recorder.failure.empty()) return outcome_.recorder.failure;
   if (!outcome_.render.failure.empty()) return "rendering: " + outcome_.render.failure;
   return {};

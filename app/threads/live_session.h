@@ -31,7 +31,7 @@ struct LiveOutcome {
 
 class LiveSession {
  public:
-  LiveSession(const Scenario&, const LiveOptions&);              // throws as SessionWriter; the scenario must outlive it
+  LiveSession(const Scenario&, const LiveOptions&);              // throws as Surgeons and SessionWriter; the scenario must outlive it
   ~LiveSession();                              // stops the threads if nobody did
 
   void start();
@@ -49,6 +49,7 @@ class LiveSession {
 
   const Scenario& scenario_;
   LiveOptions options_;
+  Surgeons surgeons_;                          // before the writer: a script that does not fit must cost nobody a session
   RenderScene scene_;
   State state_;
   Hands hands_;

@@ -1,6 +1,5 @@
 #include "app/threads/physics_thread.h"
 
-#include "app/surgeons.h"
 #include "app/threads/realtime.h"
 #include "sim/step.h"
 
@@ -27,7 +26,7 @@ struct Physics {
   State& state;
   Links& links;
   PhysicsOutcome& outcome;
-  Surgeons surgeons;
+  Surgeons& surgeons;
   StepRecord record;
   StepOutput output;
   bool scriptsBusy = true;
@@ -74,13 +73,12 @@ struct Physics {
   }
 };
 
-}  // namespace
-
-void runPhysics(const Scenario& scenario, State& state, Links& links, PhysicsOutcome& outcome) {
+void stepThrough(Surgeons& surgeons, State& state, Links& links, PhysicsOutcome& outcome) {
+  const Scenario& scenario = surgeons.scenario();
   outcome.realtime = becomeRealtime(kPhysicsPriority) == 0;
   if (!outcome.realtime) links.physicsNotices.push({NoticeKind::kNoRealtimePriority, 0, 0});
   touchStack();
-  Physics physics{scenario, state, links, outcome, Surgeons(scenario), {}, {}, true};
+  Physics physics{scenario, state, links, outcome, surgeons, {}, {}, true};
   const double dt = scenario.model.params.dt;                    // [s]
   const auto every = static_cast<std::uint64_t>(std::max(1.0, kSnapshotInterval / dt));
   const Nanoseconds start = monotonicNow();
@@ -104,8 +102,19 @@ void runPhysics(const Scenario& scenario, State& state, Links& links, PhysicsOut
     physics.tellRenderer(seconds, every);
   }
   outcome.seconds = static_cast<double>(monotonicNow() - start) * 1e-9;
-  outcome.failure = physics.surgeons.failure();
-  outcome.lostStitches = physics.surgeons.lost();
+  outcome.failure = surgeons.failure();
+  outcome.lostStitches = surgeons.lost();
+}
+
+}  // namespace
+
+void runPhysics(Surgeons& surgeons, State& state, Links& links, PhysicsOutcome& outcome) noexcept {
+  try {
+    stepThrough(surgeons, state, links, outcome);
+  } catch (const std::exception& error) {
+    outcome.fault = error.what();
+    links.stop.store(true);
+  }
 }
 
 }  // namespace halsted::app

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/fault_log.h"
-#include "app/scenario.h"
+#include "app/surgeons.h"
 #include "app/threads/links.h"
 #include "app/timing.h"
 
@@ -19,9 +19,10 @@ struct PhysicsOutcome {
   FaultLog faults;                             // of the procedure
   std::vector<std::string> lostStitches;       // why a script set them anew
   bool realtime = false;
+  std::string fault;                           // why stepping had to stop; empty: none
 };
 
-/// Runs until `links.stop`. Physics thread; `state` is its own until it ends.
-void runPhysics(const Scenario&, State& state, Links&, PhysicsOutcome&);
+/// Runs until `links.stop`. Physics thread; surgeons and `state` are its own until it ends.
+void runPhysics(Surgeons&, State& state, Links&, PhysicsOutcome&) noexcept;
 
 }  // namespace halsted::app

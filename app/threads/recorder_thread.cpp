@@ -58,9 +58,15 @@ struct Recorder {
     while (links.steps.pop(record)) {
       if (!writer || gap) continue;
       gap = record.step != writer->steps();
-      if (gap) spdlog::error("recording stops at step {}: {} steps were lost, the disk is too slow", writer->steps(), links.steps.dropped());
+      if (gap) stopRecording();
       else writer->addStep(record.input, record.stateHash);
     }
+  }
+
+  void stopRecording() {
+    outcome.failure = writer->path() + ": recording stops at step " + std::to_string(writer->steps()) + ": " +
+                      std::to_string(links.steps.dropped()) + " steps were lost, the disk is too slow";
+    spdlog::error("{}", outcome.failure);
   }
 
   void drainRest() {

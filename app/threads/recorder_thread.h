@@ -9,7 +9,7 @@ namespace halsted::app {
 
 struct RecorderOutcome {
   std::uint64_t stepsRecorded = 0, dropped = 0;
-  std::string failure;                         // why writing had to stop; empty: none
+  std::string failure;                         // why writing had to stop, also behind a gap; empty: none
 };
 
 /// Runs until `finish` is set, which the main thread does after the others have ended; then drains what is left.

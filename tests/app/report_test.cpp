@@ -37,6 +37,16 @@ TEST(Report, ShowsProcedureMetricsForcesAndEvents) {
     EXPECT_THAT(html, HasSubstr(expected));
 }
 
+TEST(Report, GivesEachEventItsUnit) {
+  Trace trace(1e-3);
+  const Event events[] = {{1, EventKind::kBiteCompleted, kRight, 0, 0.0061}, {2, EventKind::kChannelTorn, -1, 0, 7.25}, {3, EventKind::kTissueCut, kRight, 4, 0.125},
+                          {4, EventKind::kPieceFree, -1, 1, 3e-6}, {5, EventKind::kStepDone, -1, 1, 0.0}};
+  trace.add(State{}, events, 5);
+  const std::string html = reportHtml(exampleRun(), trace);
+  for (const char* expected : {"0.0061 m<", "7.25 N<", "0.125 J<", "3e-06 m^3<"}) EXPECT_THAT(html, HasSubstr(expected));
+  EXPECT_THAT(html, HasSubstr("step done</td><td></td><td class=n>1</td><td class=n></td>"));   // no value: none is shown
+}
+
 TEST(Report, IsSelfContainedAndEscaped) {
   const std::string html = reportHtml(exampleRun(), exampleTrace());
   EXPECT_THAT(html, HasSubstr("Purse &lt;string&gt; &amp; &quot;more&quot;"));

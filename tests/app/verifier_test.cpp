@@ -14,6 +14,7 @@ namespace halsted::app {
 namespace {
 
 using halsted::testing::TemporaryFolder;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 /// Records `steps` steps of the expert; a whole state every `stateEvery` steps.
@@ -98,6 +99,30 @@ TEST(Verify, AStoredStateOfAnotherStepIsRefused) {
   Recorded session(30, 20);
   Database(session.folder.file("a.halsted"), Database::Mode::kRead).prepare("UPDATE state SET step=10").run();
   EXPECT_THROW(session.run.seek(25), scenes::InputError);
+}
+
+/// A stored state that is not the recorded one would be stepped from with indices that lead anywhere.
+TEST(Verify, AStoredStateThatIsNotTheRecordedOneIsRefused) {
+  Recorded session(30, 20);
+  State other = session.run.state();
+  other.step = 20;
+  Database(session.folder.file("a.halsted"), Database::Mode::kRead)
+      .prepare("UPDATE state SET content=?").bind(1, std::span<const std::uint8_t>(save(other))).run();
+  try {
+    session.run.seek(25);
+    FAIL() << "accepted";
+  } catch (const scenes::InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("a.halsted: state after step 20: "), HasSubstr("recorded hash")));
+  }
+}
+
+TEST(Verify, NothingToVerifyIsNoSuccess) {
+  const TemporaryFolder folder;
+  record(folder.file("a.halsted"), 0, 100);
+  PlayOptions options;
+  options.file = folder.file("a.halsted");
+  options.verify = true;
+  EXPECT_EQ(play(options, nullptr), 1);
 }
 
 TEST(Verify, AChangedSampleIsFoundAtItsStepAndByField) {

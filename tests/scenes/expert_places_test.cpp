@@ -95,5 +95,17 @@ TEST(StitchPlaces, AreAnglesAndNotTooMany) {
   testing::expectRefused([&] { parse("{ none = [0], knot = [] }"); }, {"test:2", "stitch_at_deg.knot", "1 to 60"});
 }
 
+/// Places need something that is done at them, at each level that has places.
+TEST(StitchPlaces, NeedActionsOfTheStitch) {
+  const std::string again = "again_deg = [4]\n", level = "[[action]]\ndo = \"bite\"\nassist = \"knot\"\n";
+  const auto parse = [](const std::string& text) { scenes::parseExpert("scene = \"lembert\"\n" + text, "test"); };
+  for (const std::string& attempts : {std::string(), again}) {
+    testing::expectRefused([&] { parse("stitch_at_deg = [0, 20]\n" + attempts + "[[action]]\ndo = \"change_tools\"\n"); },
+                           {"test:2: stitch_at_deg: ", "no action"});
+    testing::expectRefused([&] { parse("stitch_at_deg = { knot = [0], none = [1] }\n" + attempts + level); },
+                           {"test:2: stitch_at_deg.none: ", "no action"});
+  }
+}
+
 }  // namespace
 }  // namespace halsted

@@ -73,6 +73,38 @@ TEST(CommandLine, UnknownNamesAreNamed) {
   expectRefused({"capture", expertPath(), "--out", "/nowhere", "--size", "1x1"}, "--size");
 }
 
+TEST(CommandLine, WhatIsNotANumberIsNotInItsRange) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> capture{"capture", expertPath(), "--out", folder.file("frames")};
+  const auto with = [](std::vector<std::string> arguments, const std::string& option, const std::string& value) {
+    arguments.insert(arguments.end(), {option, value});
+    return arguments;
+  };
+  for (const char* text : {"nan", "inf", "1e999", "two", "3s"}) {
+    expectRefused({"train", "purse_string", "--headless", "--seconds", text}, "--seconds");
+    expectRefused({"replay", expertPath(), "--from", text}, "--from");
+    expectRefused(with(capture, "--at", std::string("0.1,") + text + ",2"), "--at");
+    expectRefused(with(capture, "--fps", text), "--fps");
+    expectRefused({"survey", "score", "none.csv", "--mu", text}, "--mu");
+  }
+  expectRefused({"train", "purse_string", "--headless", "--seconds", "two"}, "two is not a number");
+  expectRefused({"survey", "score", "none.csv", "--mu", "1.5"}, "1.5 is not 0 to 1");
+}
+
+TEST(CommandLine, ATableOfScoresIsUtf8) {
+  const TemporaryFolder folder;
+  halsted::testing::writeText(folder.file("raters.csv"), "system,rater\nGer\xe4t,1\n");
+  expectRefused({"survey", "score", folder.file("raters.csv"), "--json"}, "raters.csv:2: bytes that are not UTF-8");
+}
+
+TEST(CommandLine, AnUnknownSceneOfAScriptIsNamedWithItsLine) {
+  const TemporaryFolder folder;
+  halsted::testing::writeText(folder.file("a.toml"), "# mine\nscene = \"nope\"\n[[action]]\ndo = \"hold\"\n");
+  expectRefused({"replay", folder.file("a.toml")}, "a.toml:2: scene: unknown scene 'nope'");
+  halsted::testing::writeText(folder.file("b.toml"), "scene = \"stay\"\n[[action]]\ndo = \"hold\"\n");
+  expectRefused({"train", "purse_string", "--headless", "--left", "script:" + folder.file("b.toml")}, "b.toml:1: scene: this script is for stay");
+}
+
 TEST(CommandLine, ABrokenScriptIsNamedWithItsLine) {
   const TemporaryFolder folder;
   halsted::testing::writeText(folder.file("expert.toml"), "scene = \"purse_string\"\n\n[[action]]\ndo = \"dance\"\n");

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <thread>
 
 #include "app/session/database.h"
 #include "app/session/session_reader.h"
@@ -140,6 +141,52 @@ TEST(SessionFile, SaysWhenItWasNotClosed) {
   EXPECT_EQ(reader.steps(), 10u);
 }
 
+/// Closed means that the last recorded state is the one that the session ended with.
+TEST(SessionFile, IsNotClosedProperlyWhereItsLastStepsAreGone) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.halsted");
+  for (const char* damage : {"DELETE FROM chunk WHERE first_step>0", "DELETE FROM chunk", "UPDATE meta SET value='0' WHERE key='state_hash'"}) {
+    writeSession(path, 8000);
+    alter(path, "INSERT INTO chunk SELECT 8000, 1, substr(inputs, 1, length(inputs)/count), X'2a00000000000000' FROM chunk WHERE first_step=0");
+    alter(path, "UPDATE meta SET value='000000000000002a' WHERE key='state_hash'");
+    ASSERT_TRUE(SessionReader(path).closedProperly());
+    alter(path, damage);
+    EXPECT_FALSE(SessionReader(path).closedProperly()) << damage;
+  }
+}
+
+/// Somebody who reads the file for longer than SQLite waits costs no step.
+TEST(SessionFile, WaitsForAReaderWithoutLosingAStep) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.halsted");
+  SessionWriter writer(path, exampleHeader());
+  int steps = 0;
+  const auto add = [&] { for (int i = 0; i < 3; ++i, ++steps) writer.addStep(exampleInput(steps), 1000u + static_cast<std::uint64_t>(steps)); };
+  add();
+  writer.addHaptic({});
+  {
+    Database reader(path, Database::Mode::kRead);
+    Statement look = reader.prepare("SELECT key FROM meta");
+    ASSERT_TRUE(look.step());
+    std::this_thread::sleep_for(std::chrono::milliseconds(260));
+    EXPECT_NO_THROW(writer.commitWhenDue());   // five seconds later it has not been let in
+    add();
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(260));
+  writer.commitWhenDue();
+  add();
+  writer.close();
+  SessionReader reader(path);
+  EXPECT_TRUE(reader.closedProperly());
+  EXPECT_EQ(reader.steps(), 9u);
+  StepInput input;
+  std::uint64_t hash = 0;
+  for (std::uint64_t i = 0; i < 9; ++i) {
+    ASSERT_TRUE(reader.next(input, hash));
+    EXPECT_EQ(hash, 1000u + i);
+  }
+}
+
 TEST(SessionFile, ReplacesAnEarlierSessionButNothingElse) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.halsted");
@@ -181,6 +228,19 @@ TEST(SessionFile, RefusesEveryTruncation) {
     halsted::testing::writeText(path, whole.substr(0, keep));
     const std::string message = refusal(path);
     EXPECT_THAT(message, AllOf(HasSubstr(path), Not(HasSubstr("\n")))) << keep << " of " << whole.size();
+  }
+}
+
+/// A query of one's own under a table's name may never end.
+TEST(SessionFile, RefusesViewsAndTriggers) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.halsted");
+  for (const char* addition : {"CREATE VIEW more AS SELECT 1", "CREATE TRIGGER more AFTER INSERT ON meta BEGIN SELECT 1; END",
+                               "DROP TABLE chunk; CREATE VIEW chunk AS WITH RECURSIVE n(first_step) AS (SELECT 0 UNION ALL SELECT first_step FROM n) "
+                               "SELECT first_step, 1 AS count, '' AS inputs, '' AS hashes FROM n"}) {
+    writeSession(path, 3);
+    alter(path, addition);
+    EXPECT_THAT(refusal(path), HasSubstr("not a Halsted session: it holds more than tables")) << addition;
   }
 }
 
