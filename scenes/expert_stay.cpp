@@ -20,7 +20,7 @@ constexpr double kOff = 0.1, kTractionReach = 0.08;   // [N] felt of thread that
 constexpr double kMostGiven = 0.02;            // [m] a tail that was taken too tight is let back
 constexpr double kFeelTime = 0.1, kFeel = 0.3; // [s] [N]
 constexpr double kPulled = 0.85, kHeld = 2.0;  // [1] of the tension that counts as it; [s]
-constexpr double kRing = 10e-3, kBelow = 8e-3, kAbove = 30e-3;   // [m] from the driver's shaft; from its tips: what hangs on it
+constexpr double kRing = 10e-3, kBelow = 8e-3, kAbove = 30e-3;   // [m] of a needle's middle from the driver's shaft; from its tips
 constexpr double kLetGo = 0.3, kShakeTime = 4.0, kBeat = 0.1;   // [s] of one way of a shake
 constexpr double kSwing = 15e-3, kShakeSpeed = 0.3;   // [m] [m/s]
 constexpr double kAway = 30e-3, kRiseSpeed = 0.08;   // [m] up as the driver turns its tips down, [m/s]
@@ -48,23 +48,10 @@ bool wouldCutAnother(const Scene& s) {
   return i >= 0 && std::fabs(s.model.strand.place[i] - s.memory.place) > kSamePlace;
 }
 
-bool onDriver(const Scene& s, const Vec3& point) {   // [m]
-  const Vec3 p = s.state.tools[kRight].proxy.inverseApply(point);   // [m]
+/// A needle may hang on the driver's jaws like a ring: there it is in the way of the next cut, and the next thing to be taken would be it.
+bool needleHangsOnDriver(const Scene& s) {
+  const Vec3 p = s.state.tools[kRight].proxy.inverseApply(s.state.strand.needle.apply(s.model.strand.needleCentre));   // [m]
   return p.head<2>().norm() < kRing && p.z() > -kBelow && p.z() < kAbove;
-}
-
-/// Another turn of the thread is draped over the driver.
-bool anotherOnDriver(const Scene& s) {
-  for (int i = 0; i < s.model.strand.nodes; ++i)
-    if (onDriver(s, s.state.strand.position[i]) && std::fabs(s.model.strand.place[i] - s.memory.place) > kSamePlace) return true;
-  return false;
-}
-
-/// A needle may hang on the driver's jaws like a ring: there it is in the way of the next cut, and the next thing to be taken would be it. Where
-/// nothing was cut, so is thread that they would carry along to every further try.
-bool hangsOnDriver(const Scene& s) {
-  if (onDriver(s, s.state.strand.needle.apply(s.model.strand.needleCentre))) return true;
-  return s.state.knot.cuts == s.memory.cutsBefore && anotherOnDriver(s);
 }
 
 /// The driver turns its tips to the ground, open, so that what hangs on them slides off.
@@ -81,16 +68,16 @@ bool shake(const Scene& s) {
   const bool back = static_cast<int>(s.inPhase / kBeat) % 2 != 0;
   if (back) to.position += kSwing * s.model.params.gravity.normalized();
   moveHand(s, kRight, to, kShakeSpeed);
-  return !hangsOnDriver(s) || s.inPhase > kShakeTime;
+  return !needleHangsOnDriver(s) || s.inPhase > kShakeTime;
 }
 
-/// The driver opens and rises, and is shaken where something hangs on it; true once it is away.
+/// The driver opens and rises, and is shaken where the needle hangs on it; true once it is away.
 bool leavesThread(const Scene& s) {
   ExpertState& e = s.memory;
   e.hand[kRight].jaw = 1.0;
   if (s.inPhase < kLetGo) return false;
   if (e.phase == kShake) return shake(s);
-  const bool there = moveHand(s, kRight, e.goal[kRight], kRiseSpeed), hangs = hangsOnDriver(s);
+  const bool there = moveHand(s, kRight, e.goal[kRight], kRiseSpeed), hangs = needleHangsOnDriver(s);
   if (there && hangs) beginShake(s);
   return there && !hangs;
 }

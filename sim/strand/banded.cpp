@@ -13,7 +13,7 @@ template <typename L> HALSTED_INLINE void substituteRow(const double* row, int b
   constexpr int kCount = LaneCount<L>::value;
   L sum = loadLanes<L>(x);
   const int last = reachOf(row, behind);
-  for (int k = last; k > 0; --k) sum = sum - row[k] * loadLanes<L>(x + kCount * k);   // the nearest was found last, and all would wait for it
+  for (int k = 1; k <= last; ++k) sum = sum - row[k] * loadLanes<L>(x + kCount * k);
   storeLanes(x, sum * row[0]);
 }
 

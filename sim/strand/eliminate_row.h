@@ -37,9 +37,8 @@ template <int Border> HALSTED_INLINE void eliminateColumn(double* row, double* b
   else eliminateRows<kFar, Border>(row, border, inverse, xj, x, std::make_integer_sequence<int, kFar>());
 }
 
-/// The farthest first: the nearest was found last, and all would wait for it.
 template <int Reach, typename L> HALSTED_INLINE L lessEntries(const double* row, const double* x, L sum) {   // [any]
-  for (int k = Reach; k > 0; --k) sum = sum - row[k] * loadLanes<L>(x + LaneCount<L>::value * k);
+  for (int k = 1; k <= Reach; ++k) sum = sum - row[k] * loadLanes<L>(x + LaneCount<L>::value * k);
   return sum;
 }
 

@@ -61,10 +61,10 @@ template <typename L> HALSTED_INLINE void substituteBody(const StretchBand& b, c
   const double* before = x + 12 * (s.first - 2);
   for (int j = 3 * (s.last + 1) - 1; j >= 3 * s.first; --j) {
     const double *row = rowOf(b, j), *border = borderOf(b, j);
-    L sum = loadLanes<L>(x + 4 * j);
+    L sum = lessRow(row, x + 4 * j, loadLanes<L>(x + 4 * j));
     if (s.bordered())
       for (int c = 0; c < kBorder; ++c) sum = sum - border[c] * loadLanes<L>(before + 4 * c);
-    storeLanes(x + 4 * j, lessRow(row, x + 4 * j, sum) * row[0]);
+    storeLanes(x + 4 * j, sum * row[0]);
   }
 }
 
@@ -90,10 +90,10 @@ void reduceBorder(const StretchBand& b, const Stretch& s, double* x, LanePath pa
 void substitute(const StretchBand& b, const Stretch& s, double* x) {   // [N] then [m]
   for (int j = 3 * (s.last + 1) - 1; j >= 3 * s.first; --j) {
     const double *row = rowOf(b, j), *border = borderOf(b, j);
-    double sum = x[j];                         // [N]
+    double sum = lessRow(row, x + j, x[j]);    // [N]
     if (s.bordered())
       for (int c = 0; c < kBorder; ++c) sum -= border[c] * x[3 * (s.first - 2) + c];
-    x[j] = lessRow(row, x + j, sum) * row[0];
+    x[j] = sum * row[0];
   }
 }
 

@@ -77,13 +77,8 @@ void insert(const TouchPoint& fresh, int first, TouchWork& w) {
 using Continued = std::array<bool, ToolState::kMaxContacts>;
 
 /// A penetration that the step began with is taken back at this pace, so that no contact pushes with more than the hand and the tissue
-/// give: what is found deep inside (jaws that opened there, a face that came nearer than another) must not be flung out in a step. Against
-/// what holds tissue and tool there, taking it back is work that no hand does: a contact that pushes hard takes back less.
+/// give: what is found deep inside (jaws that opened there, a face that came nearer than another) must not be flung out in a step.
 constexpr double kRecover = 0.1e-3;            // [m] a step
-constexpr double kRecoverWork = 0.2e-3;        // [J] a step: in full up to 2 N
-
-/// What a contact that pushes so hard takes back in a step.  [m]
-double recovered(double push) { return push * kRecover > kRecoverWork ? kRecoverWork / push : kRecover; }   // [N]
 
 /// A contact is found where the step begins, where tool and tissue do not overlap; their motion in the step carries its gap on. Found where
 /// inertia alone takes the tissue, inside the tool when the tissue quivers, its normal would jump from step to step and keep up the quiver.
@@ -107,7 +102,7 @@ void carryOver(const State& s, Continued& continued, TouchPoint& p) {
   }
   const double apart = p.slide.dot(p.normal);  // [m]
   p.slide -= apart * p.normal;
-  p.gap = std::fmax(p.gap, apart - recovered(p.force.dot(p.normal)));
+  p.gap = std::fmax(p.gap, apart - kRecover);
 }
 
 /// Contacts of the last step that were not found again: their force goes, and the tissue's answer to that belongs to this solve.
