@@ -5,8 +5,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "tests/app/program.h"
 #include "tests/app/scenario_for_tests.h"
-#include "tests/support/process.h"
 
 namespace halsted::app {
 namespace {
@@ -15,18 +15,6 @@ using halsted::testing::ProcessResult;
 using halsted::testing::run;
 using halsted::testing::TemporaryFolder;
 using ::testing::HasSubstr;
-
-ProcessResult runHalsted(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), HALSTED_BINARY);
-  return run(arguments);
-}
-
-void expectRefused(const std::vector<std::string>& arguments, const std::string& mentions) {
-  const ProcessResult result = runHalsted(arguments);
-  EXPECT_EQ(result.exitCode, 2) << result.errors;
-  EXPECT_THAT(result.errors, HasSubstr(mentions));
-  EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
-}
 
 TEST(CommandLine, BadUsageIsCodeTwo) {
   for (const std::vector<std::string>& arguments :

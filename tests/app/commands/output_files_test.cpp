@@ -3,11 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 
+#include "tests/app/program.h"
 #include "tests/app/short_script.h"
-#include "tests/support/process.h"
 
 namespace halsted::app {
 namespace {
@@ -17,23 +16,6 @@ using halsted::testing::readText;
 using halsted::testing::TemporaryFolder;
 using halsted::testing::writeText;
 using ::testing::HasSubstr;
-
-ProcessResult runHalsted(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), HALSTED_BINARY);
-  return halsted::testing::run(arguments);
-}
-
-/// Runs in `folder`, standard output into `output` where one is named.
-ProcessResult runIn(const std::string& folder, const std::string& command, const std::string& output = "") {
-  return halsted::testing::run({"/bin/sh", "-c", "cd '" + folder + "' && '" + HALSTED_BINARY + "' " + command + (output.empty() ? "" : " >" + output)});
-}
-
-void expectRefused(const std::vector<std::string>& arguments, const std::string& mentions) {
-  const ProcessResult result = runHalsted(arguments);
-  EXPECT_EQ(result.exitCode, 2) << result.errors;
-  EXPECT_THAT(result.errors, HasSubstr(mentions));
-  EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
-}
 
 TEST(OutputFiles, AreNeverTheFileThatIsReplayed) {
   const TemporaryFolder folder;

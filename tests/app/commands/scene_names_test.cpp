@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scenes/scene.h"
-#include "tests/support/process.h"
+#include "tests/app/program.h"
 
 namespace halsted::app {
 namespace {
@@ -18,10 +18,6 @@ using halsted::testing::TemporaryFolder;
 using halsted::testing::writeText;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-ProcessResult runIn(const std::string& folder, const std::string& command) {
-  return halsted::testing::run({"/bin/sh", "-c", "cd '" + folder + "' && '" + HALSTED_BINARY + "' " + command});
-}
 
 /// A scene of the user's own: another title, so that it is told from the installed one.
 void writeScene(const std::string& folder) {

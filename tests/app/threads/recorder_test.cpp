@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "app/session/session_reader.h"
-#include "app/threads/live_session.h"
 #include "tests/app/scenario_for_tests.h"
+#include "tests/app/threads/small_options.h"
 #include "tests/support/process.h"
 
 namespace halsted::app {
@@ -14,13 +14,6 @@ namespace {
 
 using halsted::testing::TemporaryFolder;
 using ::testing::HasSubstr;
-
-LiveOptions smallOptions(const std::string& record) {
-  LiveOptions options;
-  options.record = record;
-  options.render = {160, 90, 10.0, false};
-  return options;
-}
 
 TEST(Recorder, AGapIsAFaultAndLeavesTheSessionOpen) {
   const TemporaryFolder folder;

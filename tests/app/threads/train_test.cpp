@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "app/session/session_reader.h"
-#include "app/threads/live_session.h"
 #include "haptics/virtual_device.h"
 #include "tests/app/scenario_for_tests.h"
+#include "tests/app/threads/small_options.h"
 #include "tests/support/process.h"
 
 namespace halsted::app {
@@ -85,13 +85,6 @@ TEST(Train, KilledSessionOpensAndReplaysToThatPoint) {
   const ProcessResult replay = run({HALSTED_BINARY, "replay", path, "--verify"});
   EXPECT_EQ(replay.exitCode, 0) << replay.errors;
   EXPECT_THAT(replay.errors, HasSubstr("without a proper close"));
-}
-
-LiveOptions smallOptions(const std::string& record) {
-  LiveOptions options;
-  options.record = record;
-  options.render = {160, 90, 10.0, false};
-  return options;
 }
 
 TEST(TrainThreads, AVanishedDeviceEndsTheSessionAndKeepsTheRecording) {
