@@ -107,7 +107,7 @@ const char* unitOf(EventKind kind) {
 
 std::string valueOf(const Event& event) {
   const char* unit = unitOf(event.kind);
-  return unit ? number("%.4g ", event.value) + unit : "";
+  return unit && event.value != 0.0 ? number("%.4g ", event.value) + unit : "";   // where it is not told, as at a suture's entry, it is zero
 }
 
 std::string eventTable(const Trace& trace) {

@@ -40,11 +40,12 @@ TEST(Report, ShowsProcedureMetricsForcesAndEvents) {
 TEST(Report, GivesEachEventItsUnit) {
   Trace trace(1e-3);
   const Event events[] = {{1, EventKind::kBiteCompleted, kRight, 0, 0.0061}, {2, EventKind::kChannelTorn, -1, 0, 7.25}, {3, EventKind::kTissueCut, kRight, 4, 0.125},
-                          {4, EventKind::kPieceFree, -1, 1, 3e-6}, {5, EventKind::kStepDone, -1, 1, 0.0}};
-  trace.add(State{}, events, 5);
+                          {4, EventKind::kPieceFree, -1, 1, 3e-6}, {5, EventKind::kStepDone, -1, 1, 0.0}, {6, EventKind::kNeedleEntered, -1, 7, 0.0}};
+  trace.add(State{}, events, 6);
   const std::string html = reportHtml(exampleRun(), trace);
   for (const char* expected : {"0.0061 m<", "7.25 N<", "0.125 J<", "3e-06 m^3<"}) EXPECT_THAT(html, HasSubstr(expected));
   EXPECT_THAT(html, HasSubstr("step done</td><td></td><td class=n>1</td><td class=n></td>"));   // no value: none is shown
+  EXPECT_THAT(html, HasSubstr("needle entered</td><td></td><td class=n>7</td><td class=n></td>"));   // of a suture: its force is not told
 }
 
 TEST(Report, IsSelfContainedAndEscaped) {
