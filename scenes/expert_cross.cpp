@@ -15,10 +15,13 @@ constexpr double kCrossSpeed = 0.05;           // [m/s]
 constexpr double kPass = 8e-3;                 // [m] one hand passes in front of the other
 constexpr double kOver = 5e-3;                 // [m] lower by this, and the one behind higher: its shaft comes from the front too, and would catch the other's thread
 constexpr double kSlack = 0.9;                 // [1] of the tail's length: it is not drawn while the hands cross
+constexpr int kAgain = 2;                      // times that they come back and go past each other anew
+constexpr double kFarther = 4e-3;              // [m] from each other each time
 constexpr double kRise = 0.6;                  // [1] up over sideways, of the drawn tails: flat, or they lift the stitch; the tools stay clear of the walls
 constexpr double kDraw = 0.02;                 // [m/s]
 constexpr double kReach = 0.06;                // [m] as far as an arm draws
 constexpr double kFeel = 0.5, kFeelTime = 0.1; // [N], [s]
+constexpr double kCaught = 2.0, kCreep = 0.1;  // [N] felt though both tails are slack: one has caught on the other tool; [1] of the speed: as good as none
 constexpr double kHoldTight = 0.5;             // [s] after the knot has locked, or the walls have met
 constexpr double kWallsMeet = 0.25e-3;         // [m]
 constexpr double kTight = 0.6;                 // [1] of the speed: next to nothing comes any more
@@ -68,6 +71,49 @@ void begin(const Scene& s, std::string& failure) {
   e.phase = kDrawApart;
 }
 
+bool passBy(const Scene& s) {
+  bool there = true;
+  for (int h = 0; h < kHands; ++h) there = moveHand(s, h, s.memory.pass[h], kCrossSpeed) && there;
+  return there;
+}
+
+enum class Passed { kNotYet, kYes, kCaught };
+
+/// The hands go past each other, slower as they feel something: drawn on, a tail that hangs on the other tool tears the wall. Anew they go one after the
+/// other, the one in front first, so that its tail is out of the way of the other.
+Passed crossOver(const Scene& s) {
+  ExpertState& e = s.memory;
+  bool there = true, caught = false;
+  const int front = wayOf(s, kLeft) > 0.0 ? kLeft : kRight;
+  for (const int h : {front, 1 - front}) {
+    feel(e.felt[h], s.state.tools[h].force.norm(), s.dt, kFeelTime);
+    const double pace = std::clamp((kCaught - e.felt[h]) / kFeel, 0.0, 1.0);   // [1]
+    const bool waits = e.attempt > 0 && !there;
+    there = !waits && moveHand(s, h, e.goal[h], pace * kCrossSpeed) && there;
+    caught = caught || pace < kCreep;
+  }
+  if (there) return Passed::kYes;
+  return caught ? Passed::kCaught : Passed::kNotYet;
+}
+
+/// Back to where they were over the stitch, farther from each other.
+void passAgain(const Scene& s) {
+  ExpertState& e = s.memory;
+  const StitchFrame f = stitchFrame(s);
+  for (int h = 0; h < kHands; ++h) e.pass[h].position += wayOf(s, h) * kFarther * f.front;
+  e.felt = {};
+  ++e.attempt;
+  e.phase = kPassBy;
+  e.phaseStart = s.state.step;
+}
+
+void beginToDraw(const Scene& s) {
+  ExpertState& e = s.memory;
+  for (int h = 0; h < kHands; ++h) e.goal[h].position = e.hand[h].command.position;
+  e.felt = {};
+  nextPhase(s);
+}
+
 /// Each hand draws its tail outward until it feels the tension; true once the walls have met for a moment, the knot lies on them, or nothing
 /// more comes.
 bool drawApart(const Scene& s) {
@@ -108,9 +154,13 @@ bool runCrossed(const Scene& s, std::string& failure) {
     nextPhase(s);
     return false;
   }
-  bool there = true;
-  for (int h = 0; h < kHands; ++h) there = moveHand(s, h, e.phase == kPassBy ? e.pass[h] : e.goal[h], kCrossSpeed) && there;
-  if (there) nextPhase(s);
+  if (e.phase == kPassBy) {
+    if (passBy(s)) nextPhase(s);
+    return false;
+  }
+  const Passed passed = crossOver(s);
+  if (passed == Passed::kCaught && e.attempt < kAgain) passAgain(s);
+  else if (passed != Passed::kNotYet) beginToDraw(s);
   return false;
 }
 
