@@ -73,11 +73,6 @@ void turnOrPress(const Scene& s, double most) {
   }
 }
 
-void goTo(const Scene& s, int phase) {
-  s.memory.phase = phase;
-  s.memory.phaseStart = s.state.step;
-}
-
 /// The needle is off the wall again: once more, lower or higher, or this surgeon cannot do it.
 void again(const Scene& s, double lower, std::string& failure) {   // [m]
   ExpertState& e = s.memory;

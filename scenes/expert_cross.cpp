@@ -21,7 +21,7 @@ constexpr double kRise = 0.6;                  // [1] up over sideways, of the d
 constexpr double kDraw = 0.02;                 // [m/s]
 constexpr double kReach = 0.06;                // [m] as far as an arm draws
 constexpr double kFeel = 0.5, kFeelTime = 0.1; // [N], [s]
-constexpr double kCaught = 2.0, kCreep = 0.1;  // [N] felt though both tails are slack: one has caught on the other tool; [1] of the speed: as good as none
+constexpr double kHangs = 2.0, kCreep = 0.1;  // [N] felt though both tails are slack: one has caught on the other tool; [1] of the speed: as good as none
 constexpr double kHoldTight = 0.5;             // [s] after the knot has locked, or the walls have met
 constexpr double kWallsMeet = 0.25e-3;         // [m]
 constexpr double kTight = 0.6;                 // [1] of the speed: next to nothing comes any more
@@ -87,7 +87,7 @@ Passed crossOver(const Scene& s) {
   const int front = wayOf(s, kLeft) > 0.0 ? kLeft : kRight;
   for (const int h : {front, 1 - front}) {
     feel(e.felt[h], s.state.tools[h].force.norm(), s.dt, kFeelTime);
-    const double pace = std::clamp((kCaught - e.felt[h]) / kFeel, 0.0, 1.0);   // [1]
+    const double pace = std::clamp((kHangs - e.felt[h]) / kFeel, 0.0, 1.0);   // [1]
     const bool waits = e.attempt > 0 && !there;
     there = !waits && moveHand(s, h, e.goal[h], pace * kCrossSpeed) && there;
     caught = caught || pace < kCreep;
@@ -103,8 +103,7 @@ void passAgain(const Scene& s) {
   for (int h = 0; h < kHands; ++h) e.pass[h].position += wayOf(s, h) * kFarther * f.front;
   e.felt = {};
   ++e.attempt;
-  e.phase = kPassBy;
-  e.phaseStart = s.state.step;
+  goTo(s, kPassBy);
 }
 
 void beginToDraw(const Scene& s) {

@@ -67,8 +67,7 @@ bool takeFold(const Scene& s, std::string& failure) {
     if (s.inPhase < 2.0 * kSettle) return false;
     if (s.state.tools[kLeft].grasp.count > 0) { nextPhase(s); return true; }
     if (++e.attempt >= kAttempts) failure = "the clamp does not hold the fold";
-    e.phase = 0;
-    e.phaseStart = s.state.step;
+    goTo(s, 0);
   }
   return false;
 }

@@ -35,8 +35,7 @@ bool takeHanging(const Scene& s, int first) {
   const double driver = s.state.tools[kRight].threadCoordinate;   // [m]
   if (driver >= 0.0) e.place = hangingPlace(s, std::fmax(kClosest, kCloser * std::fabs(e.place - driver)));
   e.hand[kLeft].jaw = 1.0;                     // missed: once more, where thread is steadier
-  e.phase = first + 1;
-  e.phaseStart = s.state.step;
+  goTo(s, first + 1);
   return false;
 }
 

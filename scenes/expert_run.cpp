@@ -126,10 +126,12 @@ Command takeSpokenCommand(ExpertState& e) {
   return spoken;
 }
 
-void nextPhase(const Scene& scene) {
-  ++scene.memory.phase;
-  scene.memory.phaseStart = scene.state.step;
+void goTo(const Scene& s, int phase) {
+  s.memory.phase = phase;
+  s.memory.phaseStart = s.state.step;
 }
+
+void nextPhase(const Scene& s) { goTo(s, s.memory.phase + 1); }
 
 Pose above(const Pose& tool, double distance) { return {tool.position + distance * (tool.orientation * Vec3::UnitZ()), tool.orientation}; }
 

@@ -105,6 +105,8 @@ bool runNeedling(const Scene&, std::string& failure);
 /// Where both tools of a needling scene start.
 std::array<Pose, kHands> needlingStart(const BodyModel&);
 
+/// Begins a phase of the action under way; the one after this.
+void goTo(const Scene&, int phase);
 void nextPhase(const Scene&);
 
 /// Reusable pieces.

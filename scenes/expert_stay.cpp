@@ -28,11 +28,6 @@ constexpr int kAttempts = 4;
 
 enum CutPhase { kHang, kFree = kHang + kHangingPhases, kOver, kDown, kClose, kUp, kShake };
 
-void goTo(const Scene& s, int phase) {
-  s.memory.phase = phase;
-  s.memory.phaseStart = s.state.step;
-}
-
 double lastHole(const Scene& s) { return s.state.strand.holes[s.state.strand.holeCount - 1].coordinate; }   // [m]
 
 /// Where the thread is to be cut: between the hand that holds it and the needle, where the two tails come out even.  [m]

@@ -97,8 +97,7 @@ bool takeThread(const Scene& s, int hand, int first, double (*think)(const Scene
   e.hand[hand].jaw = 1.0;
   ++e.attempt;
   e.place = think(s);
-  e.phase = first;
-  e.phaseStart = s.state.step;
+  goTo(s, first);
   return false;
 }
 
@@ -219,8 +218,7 @@ bool runTakeOut(const Scene& s) {
   } else if (e.phase <= 4) {
     if (takeThread(s, kRight, 2, needlePlace, false)) beginStroke(s);
   } else if (drawStroke(s, true)) {
-    e.phase = finishedLoop(s.model, s.state) ? 0 : 1;
-    e.phaseStart = s.state.step;
+    goTo(s, finishedLoop(s.model, s.state) ? 0 : 1);
   }
   return false;
 }

@@ -82,11 +82,6 @@ void nextThrow(const Scene& s, std::string& failure) {
 
 }  // namespace
 
-void goTo(const Scene& s, int phase) {
-  s.memory.phase = phase;
-  s.memory.phaseStart = s.state.step;
-}
-
 /// The driver goes back along its shaft; true once it is there.
 bool rise(const Scene& s) {
   ExpertState& e = s.memory;

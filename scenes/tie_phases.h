@@ -15,9 +15,6 @@ inline constexpr double kFeelTime = 0.05;      // [s] over which a hand feels a 
 inline constexpr double kFirm = 0.6;           // [N] with which a loop that clings is drawn off
 inline constexpr int kAttempts = 6;            // at each throw
 
-/// Begins a phase.
-void goTo(const Scene&, int phase);
-
 /// The long end comes into the winding hand: from the driver that holds it (to kHang + kHangingPhases), which takes it first where that hand
 /// has it too far from the stitch; or from where it lies.
 void takeNearer(const Scene&);
