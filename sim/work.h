@@ -29,6 +29,9 @@ struct HoleWork {
   std::array<double, StrandState::kMaxHoles> self{}, bound{};   // [m/N]
   int aloneCount = 0;
   std::array<std::int32_t, StrandState::kMaxHoles> alone{};     // those whose bite has no other hole
+  int count = 0;
+  std::array<double, StrandState::kMaxHoles> coordinate{};      // [m] of the strand, ascending: every sample asks between which it lies
+  std::array<bool, StrandState::kMaxHoles> paired{};            // the next hole is of the same bite
   std::array<Vec3, StrandState::kMaxHoles> point{};             // [m] the hole in the predicted tissue
   // A hole stays where it is in the tissue: its compliances are read anew only where it has another place than `seen`.
   std::array<TissuePoint, StrandState::kMaxHoles> seen{};

@@ -45,14 +45,22 @@ bool addLink(StrandWork& w, const StrandLink& link) {
   return true;
 }
 
+namespace {
+
+Vec3 threadPoint(const StrandModel& m, const StrandState& s, double coordinate) {   // [m]
+  const ThreadSpot spot = threadSpot(m, coordinate);
+  return (1.0 - spot.fraction) * s.position[spot.node] + spot.fraction * s.position[spot.node + 1];
+}
+
+}  // namespace
+
 Vec3 strandPoint(const StrandModel& m, const StrandState& s, double coordinate) {
   if (coordinate > m.length) {
     Vec3 point, tangent;
     arcAt(m, coordinate, point, tangent);
     return s.needle.apply(point);
   }
-  const ThreadSpot spot = threadSpot(m, coordinate);
-  return (1.0 - spot.fraction) * s.position[spot.node] + spot.fraction * s.position[spot.node + 1];
+  return threadPoint(m, s, coordinate);
 }
 
 Vec3 strandTangent(const StrandModel& m, const StrandState& s, double coordinate) {
@@ -64,7 +72,7 @@ Vec3 strandTangent(const StrandModel& m, const StrandState& s, double coordinate
   // Over a segment's length about the point: the direction of one segment alone would jump as a hole slides past a node.
   const double segment = segmentAt(m, coordinate);             // [m]
   const double from = coordinate - 0.5 * segment, to = coordinate + 0.5 * segment;         // [m]
-  const Vec3 d = strandPoint(m, s, to > m.length ? m.length : to) - strandPoint(m, s, from);
+  const Vec3 d = threadPoint(m, s, to > m.length ? m.length : to) - threadPoint(m, s, from);
   const double length = d.norm();
   return length > 0.0 ? Vec3(d / length) : Vec3::UnitX();
 }

@@ -120,19 +120,6 @@ StrandModel buildStrand(const SimParams& p) {
   return m;
 }
 
-ThreadSpot threadSpot(const StrandModel& m, double s) {
-  std::size_t r = m.regions.size() - 1;
-  while (r > 0 && s < m.regions[r].from) --r;
-  const StrandRegion& region = m.regions[r];
-  const int last = (r + 1 < m.regions.size() ? m.regions[r + 1].node : m.nodes - 1) - region.node - 1;
-  double u = (s - region.from) / region.segment;
-  u = u < 0.0 ? 0.0 : u;
-  int node = static_cast<int>(u);
-  if (node > last) node = last;
-  const double fraction = u - node;
-  return {region.node + node, fraction > 1.0 ? 1.0 : fraction};
-}
-
 double coordinateAt(const StrandModel& m, int node, double share) {
   std::size_t r = m.regions.size() - 1;
   while (r > 0 && node < m.regions[r].node) --r;
@@ -146,8 +133,6 @@ double lengthAfter(const StrandModel& m, int node) {
     length += m.regions[r].segment * (end - std::max(node, m.regions[r].node));
   return length;
 }
-
-double segmentAt(const StrandModel& m, double s) { return m.rest[threadSpot(m, s).node]; }
 
 void arcAt(const StrandModel& m, double s, Vec3& point, Vec3& tangent) {
   const double arc = m.needle.radius * m.needle.angle;

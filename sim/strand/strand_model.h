@@ -57,7 +57,19 @@ struct ThreadSpot {
   int node = 0;
   double fraction = 0.0;                       // [1]
 };
-ThreadSpot threadSpot(const StrandModel&, double s);   // [m] clamped to the thread
+/// Clamped to the thread. Here, as every hole and every link asks for a dozen of them a step.
+inline ThreadSpot threadSpot(const StrandModel& m, double s) {   // [m]
+  std::size_t r = m.regions.size() - 1;
+  while (r > 0 && s < m.regions[r].from) --r;
+  const StrandRegion& region = m.regions[r];
+  const int last = (r + 1 < m.regions.size() ? m.regions[r + 1].node : m.nodes - 1) - region.node - 1;
+  double u = (s - region.from) / region.segment;
+  u = u < 0.0 ? 0.0 : u;
+  int node = static_cast<int>(u);
+  if (node > last) node = last;
+  const double fraction = u - node;
+  return {region.node + node, fraction > 1.0 ? 1.0 : fraction};
+}
 
 /// Rest length of the thread between a node and the swage.  [m]
 double lengthAfter(const StrandModel&, int node);
@@ -65,7 +77,7 @@ double lengthAfter(const StrandModel&, int node);
 /// Coordinate of the place `share` [1] of the way from a node to the next.  [m]
 double coordinateAt(const StrandModel&, int node, double share);
 /// Rest length of the segments about a coordinate; that of the last on the needle.  [m]
-double segmentAt(const StrandModel&, double s);   // [m]
+inline double segmentAt(const StrandModel& m, double s) { return m.rest[threadSpot(m, s).node]; }   // [m]
 
 /// Point and unit tangent (toward the tip) of the needle arc in its frame, at strand coordinate s in [L, L + arc].
 void arcAt(const StrandModel&, double s, Vec3& point, Vec3& tangent);

@@ -165,11 +165,14 @@ Vec3 holePoint(const Model& m, const Hole& h, std::span<const Vec3> x) { return 
 
 namespace {
 
-/// Holes of which the bite has no other.
-void listAlone(const StrandState& s, HoleWork& w) {
+void listBites(const StrandState& s, HoleWork& w) {
+  w.count = s.holeCount;
   w.aloneCount = 0;
-  for (int i = 0; i < s.holeCount; ++i)
-    if ((i == 0 || s.holes[i - 1].bite != s.holes[i].bite) && (i + 1 == s.holeCount || s.holes[i + 1].bite != s.holes[i].bite)) w.alone[w.aloneCount++] = i;
+  for (int i = 0; i < s.holeCount; ++i) {
+    w.coordinate[i] = s.holes[i].coordinate;
+    w.paired[i] = i + 1 < s.holeCount && s.holes[i].bite == s.holes[i + 1].bite;
+    if (!w.paired[i] && (i == 0 || !w.paired[i - 1])) w.alone[w.aloneCount++] = i;
+  }
 }
 
 /// An end of the thread is in the wall, on its way through: one hole is left of that bite, and the thread from it to its end is inside.
@@ -183,14 +186,13 @@ bool insideWithItsEnd(const Model& m, const State& state, int i, double coordina
 }  // namespace
 
 bool insideWall(const Model& m, const State& state, double coordinate, double margin) {
-  const StrandState& s = state.strand;
   const HoleWork& w = state.work.holes;
   for (int k = 0; k < w.aloneCount; ++k)
     if (insideWithItsEnd(m, state, w.alone[k], coordinate, margin)) return true;
-  const auto end = s.holes.begin() + s.holeCount;
-  const auto next = std::partition_point(s.holes.begin(), end, [&](const Hole& h) { return h.coordinate + margin <= coordinate; });
-  for (auto hole = next == s.holes.begin() ? next : next - 1; hole != end && hole->coordinate - margin < coordinate; ++hole)
-    if (hole + 1 != end && hole->bite == (hole + 1)->bite && (hole + 1)->coordinate + margin > coordinate) return true;
+  const auto begin = w.coordinate.begin(), end = begin + w.count;
+  const auto next = std::partition_point(begin, end, [&](double hole) { return hole + margin <= coordinate; });
+  for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, next - begin - 1); i < w.count && w.coordinate[i] - margin < coordinate; ++i)
+    if (w.paired[i] && w.coordinate[i + 1] + margin > coordinate) return true;
   return false;
 }
 
@@ -202,7 +204,7 @@ void linkHoles(const Model& m, State& state) {
   StrandState& s = state.strand;
   HoleWork& w = state.work.holes;
   holeCompliances(m, s, w);
-  listAlone(s, w);
+  listBites(s, w);
   if (sumsExchange(m, state)) {                // drawn tight on the tissue as a knot is, it presses on it all along
     gatherExchange(m, s, state.work.exchange);
     for (int i = 0; i < s.holeCount; ++i) w.bound[i] += movedByContacts(m, vertexOf(m, s.holes[i]), state.work.exchange);
