@@ -67,7 +67,7 @@ inline ThreadSpot threadSpot(const StrandModel& m, double s) {   // [m]
   u = u < 0.0 ? 0.0 : u;
   int node = static_cast<int>(u);
   if (node > last) node = last;
-  const double fraction = u - node;
+  const double fraction = u - node;   // [1]
   return {region.node + node, fraction > 1.0 ? 1.0 : fraction};
 }
 
