@@ -79,6 +79,21 @@ using Continued = std::array<bool, ToolState::kMaxContacts>;
 /// A penetration that the step began with is taken back at this pace, so that no contact pushes with more than the hand and the tissue
 /// give: what is found deep inside (jaws that opened there, a face that came nearer than another) must not be flung out in a step.
 constexpr double kRecover = 0.1e-3;            // [m] a step
+/// Where tissue pushes a tool from both sides, as a shaft that is driven into a fold, what its contacts take back against each other is work that no hand
+/// does: no more than this (in full up to 4 N), or wild hands made energy of it. Only where tissue is cut (15 mJ at a time; less than 5 elsewhere): between
+/// bowel ends a tool that came out of the wall more slowly turned an edge out (`connell` on a patient's colon).
+constexpr double kRecoverWork = 0.4e-3;        // [J] a step
+
+/// With what the contacts of a tool push against each other, and not against its hand.  [N]
+double squeezed(const ToolState& t) {
+  Vec3 net = Vec3::Zero();                     // [N]
+  double sum = 0.0;                            // [N]
+  for (int i = 0; i < t.contactCount; ++i) {
+    net += t.contactForce[i];
+    sum += t.contactForce[i].norm();
+  }
+  return sum - net.norm();
+}
 
 /// A contact is found where the step begins, where tool and tissue do not overlap; their motion in the step carries its gap on. Found where
 /// inertia alone takes the tissue, inside the tool when the tissue quivers, its normal would jump from step to step and keep up the quiver.
@@ -91,7 +106,7 @@ void moveOn(const Model& m, const Pose& before, const State& s, TouchPoint& p) {
 }
 
 /// Carries the force of the last step over when the same triangle was touched; friction needs how far the tissue slid.
-void carryOver(const State& s, Continued& continued, TouchPoint& p) {
+void carryOver(const State& s, double recover, Continued& continued, TouchPoint& p) {   // [m]
   const ToolState& t = s.tools[p.hand];
   for (int i = 0; i < t.contactCount; ++i) {
     if (continued[i] || t.contactTriangle[i] != p.triangle) continue;
@@ -102,7 +117,7 @@ void carryOver(const State& s, Continued& continued, TouchPoint& p) {
   }
   const double apart = p.slide.dot(p.normal);  // [m]
   p.slide -= apart * p.normal;
-  p.gap = std::fmax(p.gap, apart - kRecover);
+  p.gap = std::fmax(p.gap, apart - recover);
 }
 
 /// Contacts of the last step that were not found again: their force goes, and the tissue's answer to that belongs to this solve.
@@ -164,6 +179,11 @@ bool listNear(const Model& m, const State& s, const CapsuleShape& around, ToolSt
 
 }  // namespace
 
+double recovered(const ToolState& t) {
+  const double push = squeezed(t);             // [N]
+  return push * kRecover > kRecoverWork ? kRecoverWork / push : kRecover;
+}
+
 bool isHeld(const Model& m, const TissueGrasp& grasp, int triangle) {
   for (int g = 0; g < grasp.count; ++g)
     for (int held : m.surface.triangles[grasp.triangle[g]])
@@ -205,7 +225,8 @@ void findContacts(const Model& m, int hand, const Pose& before, State& s) {
     }
   }
   Continued continued{};
-  for (int i = first; i < w.count; ++i) carryOver(s, continued, w.point[i]);
+  const double recover = s.cut ? recovered(t) : kRecover;        // [m]
+  for (int i = first; i < w.count; ++i) carryOver(s, recover, continued, w.point[i]);
   addGone(hand, continued, s);
 }
 

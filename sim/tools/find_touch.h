@@ -13,6 +13,10 @@ inline constexpr double kFastest = 1e-3;
 void refreshNear(const Model&, int hand, State&);
 void listNearTriangles(const Model&, int hand, State&);   // at once
 
+/// What each contact of a tool takes back in a step of the penetration with which that begins, where tissue is cut: less where it pushes the tool from both
+/// sides.  [m]
+double recovered(const ToolState&);
+
 /// Appends the tool's contacts and grasps at the predicted tissue to `work.touch`.
 void findContacts(const Model&, int hand, const Pose& before, State&);
 void findGrasps(const Model&, int hand, State&);

@@ -1,6 +1,7 @@
 /// A tool against the wall and a grasp of its edge, through the whole step.
 #include <gtest/gtest.h>
 
+#include "sim/tools/find_touch.h"
 #include "tests/sim/step_rig.h"
 
 namespace halsted {
@@ -135,6 +136,29 @@ TEST(ToolContact, WhatLeavesAToolFastEnoughIsNotPushed) {
   }
   EXPECT_GT(pushed[0], 5e-3);
   EXPECT_LT(pushed[1], 0.05 * pushed[0]);
+}
+
+/// A tool between contacts that push so hard from either side.
+ToolState between(double left, double right) { // [N]
+  ToolState t;
+  t.contactForce[0] = left * Vec3::UnitX();
+  t.contactForce[1] = -right * Vec3::UnitX();
+  t.contactCount = 2;
+  return t;
+}
+
+/// What contacts take back against each other is work that no hand does: wild hands with a shaft in a fold made 15 mJ of it at a time (`altemeier`).
+TEST(Recovery, TakesBackLittleWhereTissuePushesAToolFromBothSides) {
+  constexpr double kPace = 0.1e-3, kMost = 0.4e-3;   // [m], [J] a step
+  EXPECT_EQ(recovered(between(0.0, 0.0)), kPace);
+  EXPECT_EQ(recovered(between(2.0, 1.9)), kPace);
+  for (const double push : {2.5, 8.0, 30.0}) EXPECT_NEAR(recovered(between(push, push)) * 2.0 * push, kMost, 1e-12);
+  EXPECT_NEAR(recovered(between(30.0, 10.0)) * 20.0, kMost, 1e-12);   // ten of them are the hand's
+}
+
+/// Against a hand it is taken back at the whole pace, however hard that pushes: what it gives way by is its own work.
+TEST(Recovery, TakesBackAtTheWholePaceAgainstAHand) {
+  EXPECT_EQ(recovered(between(30.0, 0.0)), 0.1e-3);
 }
 
 /// Open jaws straddle the top edge from above.
