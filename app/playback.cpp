@@ -92,8 +92,8 @@ void finishRecording(SessionWriter& recorder, const Lockstep& run) {
 }
 
 int verdict(const PlayOptions& options, const Lockstep& run, const Audience& audience, const RunSummary& summary) {
-  for (const std::string& why : run.lostStitches()) std::fprintf(stderr, "%s: %s; the stitch was taken out and set anew\n", options.file.c_str(), why.c_str());
-  if (!run.failure().empty()) std::fprintf(stderr, "%s: %s\n", options.file.c_str(), run.failure().c_str());
+  for (const std::string& why : run.lostStitches()) std::fprintf(stderr, "%s; the stitch was taken out and set anew\n", why.c_str());
+  if (!run.failure().empty()) std::fprintf(stderr, "%s\n", run.failure().c_str());
   const SessionReader* recording = run.scenario().recording.get();
   if (recording && !recording->closedProperly())
     std::fprintf(stderr, "%s: the recording ends without a proper close; everything up to step %llu is here\n", options.file.c_str(),

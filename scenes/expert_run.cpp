@@ -83,7 +83,8 @@ void goOn(const State& state, std::size_t action, ExpertState& e) {
 }
 
 /// "file:line: action." of the key that follows.
-std::string placeOf(const ExpertScript& script, const ExpertAction& a) { return quoted(script.origin) + ":" + std::to_string(a.line) + ": action."; }
+std::string lineOf(const ExpertScript& script, const ExpertAction& a) { return quoted(script.origin) + ":" + std::to_string(a.line) + ": "; }
+std::string placeOf(const ExpertScript& script, const ExpertAction& a) { return lineOf(script, a) + "action."; }
 
 /// Is this an action of the scene's kind, on a point that it has?
 void checkTechnique(const ExpertAction& a, const std::string& where, const Model& model) {
@@ -171,7 +172,7 @@ bool advanceExpert(const ExpertScript& script, const Model& model, const State& 
     const bool finished = runAction(scene, why);
     const bool late = static_cast<double>(state.step - e.actionStart) * dt > action.seconds && action.kind != "hold";
     if (!why.empty() || (late && !finished)) {
-      failure = "line " + std::to_string(action.line) + ": " + action.kind + ": " + (why.empty() ? "ran out of time in phase " + std::to_string(e.phase) : why);
+      failure = lineOf(script, action) + action.kind + ": " + (why.empty() ? "ran out of time in phase " + std::to_string(e.phase) : why);
       goOn(state, insteadOf(script, e.action), e);
     } else if (finished) {
       goOn(state, after(script, scene), e);

@@ -179,8 +179,8 @@ int train(const TrainOptions& options) {
                                     outcome.physics.stepTimes, watch.seconds());
   summary.faults = outcome.physics.faults.lines(scenario.model);
   std::fputs((options.json ? jsonOf(summary, liveMembers(outcome)) : textOf(summary) + liveText(outcome)).c_str(), stdout);
-  for (const std::string& why : outcome.physics.lostStitches) std::fprintf(stderr, "halsted: script: %s; the stitch was taken out and set anew\n", why.c_str());
-  if (!outcome.physics.failure.empty()) std::fprintf(stderr, "halsted: script: %s\n", outcome.physics.failure.c_str());
+  for (const std::string& why : outcome.physics.lostStitches) std::fprintf(stderr, "%s; the stitch was taken out and set anew\n", why.c_str());
+  if (!outcome.physics.failure.empty()) std::fprintf(stderr, "%s\n", outcome.physics.failure.c_str());
   if (!outcome.fault.empty()) throw SystemFault(outcome.fault);
   return kDone;
 }

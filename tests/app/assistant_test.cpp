@@ -68,6 +68,7 @@ TEST(ChangeToolsCommand, IsRecordedAndReplays) {
 TEST(ChangeToolsCommand, ASceneWithoutASecondInstrumentSaysSo) {
   const Asked asked("change_tools", {});
   EXPECT_NE(asked.run.failure().find("tool.left.second"), std::string::npos);
+  EXPECT_EQ(asked.run.failure().rfind(asked.folder.file("expert.toml") + ":2: change_tools: ", 0), 0u) << asked.run.failure();
 }
 
 const char* const kClampAndOffer = "do = \"hold_fold\"\nangle_deg = 90\ndepth_mm = 5\ntension_n = 1.0\n[[action]]\ndo = \"hand_over\"\n";
