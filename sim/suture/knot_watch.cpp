@@ -11,7 +11,8 @@ namespace halsted {
 namespace {
 
 static_assert(ThrowList::kMost == KnotState::kMostThrows, "every throw that is read has its place in the state");
-constexpr double kRoundTool = 3.0;             // [1] of the jaws' radius: thread this near to a tool's axis may go round it
+constexpr double kRoundTool = 12.0;            // [1] of the jaws' radius: where the strands of a loop round a tool may cross, this far from its axis
+constexpr double kLoopEnds = 4.0;              // [1] of the jaws' radius, where the paper has one pair of its coarse nodes: a turn climbs by up to this
 
 bool due(const Model& m, const State& s) {
   const auto steps = static_cast<std::uint64_t>(kKnotInterval / m.params.dt + 0.5);
@@ -48,21 +49,11 @@ void writePlace(const Model& m, const State& s, KnotState& k) {
   }
 }
 
-/// Turns of the stretch of thread that lies about a tool's jaws or shaft.
+/// Thread wound about a tool's jaws or shaft.
 std::int32_t turnsOf(const Model& m, const State& s, int hand) {
   const ToolParams& p = toolOf(m, s, hand);
   const Pose& tool = s.tools[hand].proxy;
-  const double reach = kRoundTool * p.jawRadius;   // [m]
-  int first = -1, last = -1;
-  for (int i = 0; i < m.strand.nodes; ++i) {
-    const Vec3 local = tool.inverseApply(s.strand.position[i]);
-    if (local.z() < 0.0 || local.z() > 2.0 * p.jawLength || local.x() * local.x() + local.y() * local.y() > reach * reach) continue;
-    first = first < 0 ? i : first;
-    last = i;
-  }
-  if (first < 0) return 0;
-  const std::span<const Vec3> about(s.strand.position.data() + first, static_cast<std::size_t>(last - first + 1));
-  return turnsAbout(about, {tool.position, tool.orientation * Vec3::UnitZ()});
+  return woundTurns(s.strand.position, {tool.position, tool.orientation * Vec3::UnitZ(), kRoundTool * p.jawRadius, 2.0 * p.jawLength}, kLoopEnds * p.jawRadius);
 }
 
 }  // namespace

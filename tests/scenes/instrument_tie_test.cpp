@@ -201,11 +201,12 @@ TEST(InstrumentTie, JawsThatWouldCutTheTailOpenAgain) {
   TiedWall w(p);
   const scenes::ExpertScript script = scenes::parseExpert("scene = \"wall\"\n[[action]]\ndo = \"tie\"\ntie = \"1\"\nlimit_s = 40\n", "test");
   const scenes::ExpertStatePtr memory = scenes::beginExpert(script, w.model);
-  const auto closing = [&] { return w.seen(Quantity::kToolTurns) >= 1 && w.input.tools[kRight].jaw < 0.9 && w.state.tools[kRight].jaw < 0.9; };
-  bool wasOpen = false;                        // with the loop on the jaws, for the tail
+  const auto closing = [&] { return w.input.tools[kRight].jaw < 0.9 && w.state.tools[kRight].jaw < 0.9; };
+  bool wound = false, wasOpen = false;         // with the loop on the jaws, for the tail
   for (int k = 0; k < 30000 && !(wasOpen && closing()); ++k) {
     ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
-    wasOpen = wasOpen || (w.seen(Quantity::kToolTurns) >= 1 && w.state.tools[kRight].jaw > 0.99);
+    wound = wound || w.seen(Quantity::kToolTurns) >= 1;
+    wasOpen = wasOpen || (wound && w.state.tools[kRight].jaw > 0.99);
   }
   ASSERT_TRUE(wasOpen && closing());
   const int cuts = w.state.knot.cuts;

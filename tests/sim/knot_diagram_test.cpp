@@ -94,12 +94,15 @@ TEST(KnotReading, TwoKnotsOnOneThreadAreNotOneKnot) {
   EXPECT_FALSE(r.complete);
 }
 
-std::vector<Vec3> helix(double turns, double pitch) {   // [1], [m per turn]
+/// Wound thread that crosses its last turn at the end of each.
+std::vector<Vec3> helix(int turns, double pitch) {   // [1], [m per turn]
+  constexpr double kBeyond = 0.4;              // [rad]
+  const double all = 2.0 * kPi * std::abs(turns) + 2.0 * kBeyond, sense = turns < 0 ? -1.0 : 1.0;   // [rad], [1]
   std::vector<Vec3> x;
-  for (int i = 0; i <= 200; ++i) {
-    const double angle = 2.0 * kPi * turns * i / 200.0 + 0.3;   // [rad]
-    const double r = 2e-3 * (1.0 + 0.1 * std::sin(3.0 * angle)) * (1.0 + 0.05 * i / 200.0);   // [m]
-    x.push_back(Vec3(r * std::cos(angle), r * std::sin(angle), pitch * turns * i / 200.0));
+  for (int i = 0; i <= 401; ++i) {
+    const double angle = all * i / 401.0 - kBeyond;   // [rad]
+    const double r = 2e-3 * (1.0 + 0.1 * std::sin(0.5 * angle));   // [m]
+    x.push_back(Vec3(r * std::cos(sense * angle + 0.5), r * std::sin(sense * angle + 0.5), pitch * (angle + kBeyond) / (2.0 * kPi)));
   }
   return x;
 }
@@ -127,17 +130,28 @@ TEST(ToolLoop, BesideTheToolFailsTheEvenOddCheck) {
   for (Vec3& p : x) p.x() += 6e-3;
   const ToolLoop loop = findToolLoop(x, {}, 0.5e-3);
   EXPECT_TRUE(loop.crosses);
-  EXPECT_FALSE(loop.encirclesTool);
+  EXPECT_FALSE(loop.encirclesTool());
   EXPECT_FALSE(loop.valid());
 }
 TEST(ToolLoop, WithEndsFarApartAlongTheToolFailsTheDistanceCheck) {
   const ToolLoop loop = findToolLoop(thrownLoop(6e-3), {}, 0.5e-3);
-  EXPECT_TRUE(loop.encirclesTool);
+  EXPECT_TRUE(loop.encirclesTool());
   EXPECT_FALSE(loop.closed);
 }
-TEST(ToolLoop, TurnsAreCountedWithTheirSign) {
-  for (int turns : {-3, -2, -1, 1, 2, 3}) EXPECT_EQ(turnsAbout(helix(turns, 0.3e-3), {}), turns);
+TEST(ToolLoop, OffTheToolIsNone) {
+  EXPECT_TRUE(findToolLoop(thrownLoop(0.3e-3), {Vec3::Zero(), Vec3::UnitZ(), 5e-3, 10e-3}, 0.5e-3).valid());
+  EXPECT_FALSE(findToolLoop(thrownLoop(0.3e-3), {Vec3::Zero(), Vec3::UnitZ(), 1e-3, 10e-3}, 0.5e-3).crosses) << "2 mm away";
+  EXPECT_FALSE(findToolLoop(thrownLoop(0.3e-3), {Vec3(0.0, 0.0, 1e-3), Vec3::UnitZ(), 5e-3, 10e-3}, 0.5e-3).crosses) << "below the tip";
 }
+TEST(ToolLoop, ThreadThatOnlyPassesIsNotWound) {
+  std::vector<Vec3> passing;
+  for (int i = -50; i <= 50; ++i) passing.push_back(Vec3(1.5e-3, 0.1e-3 + 0.2e-3 * i, 0.0));
+  EXPECT_EQ(woundTurns(passing, {}, 5e-3), 0);
+}
+TEST(ToolLoop, WoundThreadIsCountedWithItsSign) {
+  for (int turns : {-3, -2, -1, 1, 2, 3}) EXPECT_EQ(woundTurns(helix(turns, 0.3e-3), {}, 0.5e-3), turns);
+}
+TEST(ToolLoop, TurnsFarApartAlongTheToolAreNone) { EXPECT_EQ(woundTurns(helix(3, 6e-3), {}, 0.5e-3), 0); }
 
 }  // namespace
 }  // namespace halsted
