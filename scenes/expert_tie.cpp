@@ -103,12 +103,6 @@ bool fetchOrLeave(const Scene& s, std::string& failure) {
   return true;
 }
 
-/// The driver leaves the loop; opened inside one that is tight, its jaws would draw on the stitch.
-bool unwind(const Scene& s) {
-  if (!jawsEmpty(s.state.tools[kRight])) s.memory.hand[kRight].jaw = 1.0;
-  return rise(s);
-}
-
 bool runTie(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   if (e.phase != kLook && s.state.strand.holeCount < 2) { failure = "the thread has left the tissue"; return false; }

@@ -22,9 +22,12 @@ void handOver(const Scene&);
 void takeLongEnd(const Scene&, std::string& failure);
 /// The long end is drawn straight, and on through the stitch until the tail is no longer than the action wants it.
 void shortenTail(const Scene&);
-/// It is wound round the driver, which then goes for the tail with the loop on its jaws.
+/// It is wound round the driver, which then goes for the tail with the loop on its jaws, or out of the loop; true once it is out.
 void wind(const Scene&);
 void fetchTail(const Scene&, std::string& failure);
+bool unwind(const Scene&);
+/// The driver goes back along its shaft; true once it is there.
+bool rise(const Scene&);
 /// The tail is drawn through the loop and the hands go to their sides.
 void drawThrough(const Scene&);
 /// Each hand draws its end until it feels the tension; true once both have held it for a moment.

@@ -14,6 +14,7 @@ constexpr double kSnug = 0.03, kGive = 0.06, kMostGive = 0.3;   // [N] more woul
 constexpr double kWider = 6e-3, kOpening = 0.4;   // [m] of thread that the opening jaws take up in a turn; [s]
 constexpr double kTight = 0.15;                // [N] at the winding hand: a loop drawn tighter holds the jaws like a capstan
 constexpr double kDrawsOn = 0.5, kCaught = 6.0; // [N] of thread on the driver: it goes no farther; [s] then the loop is caught on something
+constexpr double kHard = 1.0, kYield = 5e-3, kYieldSpeed = 0.15;   // [N] at the winding hand, though it has given way: its thread lies otherwise than planned; [m] [m/s]
 constexpr double kShortOf = 1e-3;             // [m] along the shaft: jaws take thread that lies so far before their tips, and past it the lower one digs into the wall
 constexpr double kArrived = 1e-3, kSettle = 0.6;   // [m] of the jaws from the tail: the device is behind its hand; [s] pressed on tissue, it comes no nearer
 constexpr double kShort = 4e-3;                // [m] that the driver, which nothing holds, is short of its place where its device stops
@@ -30,11 +31,20 @@ void giveWay(const Scene& s, double snug) {    // [N]
 /// Has the winding hand given way as far as it has to, and does nothing draw on the jaws?
 bool isLoose(const Scene& s) { return s.memory.knot.felt[kLeft] < kTight && s.memory.knot.felt[kRight] < kDrawsOn; }
 
+/// The winding hand goes where its thread draws it.
+void yieldToThread(const Scene& s) {
+  Pose to = s.memory.hand[kLeft].command;
+  const Vec3& pull = s.state.tools[kLeft].threadForce;   // [N]
+  to.position += kYield * pull / std::fmax(kTight, pull.norm());
+  moveHand(s, kLeft, to, kYieldSpeed);
+}
+
 /// The winding hand stays beside the driver and keeps the loop on its jaws.
 void follow(const Scene& s) {
   giveWay(s, kSnug);
   feel(s.memory.knot.felt[kRight], s.state.tools[kRight].strandForce.norm(), s.dt, kFeelTime);
-  moveHand(s, kLeft, windingPose(s, s.memory.hand[kRight].command.position, wholeTurns(s)), 0.15);
+  if (s.memory.knot.felt[kLeft] > kHard) yieldToThread(s);
+  else moveHand(s, kLeft, windingPose(s, s.memory.hand[kRight].command.position, wholeTurns(s)), 0.15);
 }
 
 /// Is the loop still on the driver? A turn lacks up to a quarter, as it is begun and ended beside the jaws.
@@ -72,6 +82,14 @@ bool withinReach(const Scene& s) {
 }
 
 }  // namespace
+
+/// The driver leaves the loop; opened inside one that is tight, its jaws would draw on the stitch, and the winding hand that stays where it is would stretch
+/// what the driver draws along.
+bool unwind(const Scene& s) {
+  if (!jawsEmpty(s.state.tools[kRight])) s.memory.hand[kRight].jaw = 1.0;
+  if (s.state.tools[kLeft].threadForce.norm() > kTight) yieldToThread(s);
+  return rise(s);
+}
 
 /// The winding hand stands on its side, then the driver comes over the stitch with closed jaws, then the thread goes round.
 void wind(const Scene& s) {
