@@ -14,7 +14,7 @@ constexpr double kSnug = 0.03, kGive = 0.06, kMostGive = 0.3;   // [N] more woul
 constexpr double kWider = 6e-3, kOpening = 0.4;   // [m] of thread that the opening jaws take up in a turn; [s]
 constexpr double kTight = 0.15;                // [N] at the winding hand: a loop drawn tighter holds the jaws like a capstan
 constexpr double kDrawsOn = 0.5, kCaught = 6.0; // [N] of thread on the driver: it goes no farther; [s] then the loop is caught on something
-constexpr double kHard = 1.0, kYield = 5e-3, kYieldSpeed = 0.15;   // [N] at the winding hand, though it has given way: its thread lies otherwise than planned; [m] [m/s]
+constexpr double kHard = 3.0, kYield = 5e-3, kYieldSpeed = 0.15;   // [N] at the winding hand, though it has given way: its thread lies otherwise than planned; [m] [m/s]
 constexpr double kShortOf = 1e-3;             // [m] along the shaft: jaws take thread that lies so far before their tips, and past it the lower one digs into the wall
 constexpr double kArrived = 1e-3, kSettle = 0.6;   // [m] of the jaws from the tail: the device is behind its hand; [s] pressed on tissue, it comes no nearer
 constexpr double kShort = 4e-3;                // [m] that the driver, which nothing holds, is short of its place where its device stops
@@ -87,7 +87,7 @@ bool withinReach(const Scene& s) {
 /// what the driver draws along.
 bool unwind(const Scene& s) {
   if (!jawsEmpty(s.state.tools[kRight])) s.memory.hand[kRight].jaw = 1.0;
-  if (s.state.tools[kLeft].threadForce.norm() > kTight) yieldToThread(s);
+  if (s.state.tools[kLeft].threadForce.norm() > kHard) yieldToThread(s);
   return rise(s);
 }
 

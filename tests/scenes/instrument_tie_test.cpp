@@ -175,23 +175,6 @@ TEST(InstrumentTie, ThreadDrawnInWhileItIsWoundIsNotWoundWith) {
   EXPECT_LT(apart(), before + 3e-3);
 }
 
-/// Thread that lies otherwise than was planned draws on the winding hand however that gives way: it goes where it is drawn, and the loop is not
-/// stretched.
-TEST(InstrumentTie, AWindingHandThatIsDrawnHardGoesAlong) {
-  TiedWall w;
-  const scenes::ExpertScript script = scenes::parseExpert("scene = \"wall\"\n[[action]]\ndo = \"tie\"\ntie = \"1\"\nlimit_s = 40\n", "test");
-  const scenes::ExpertStatePtr memory = scenes::beginExpert(script, w.model);
-  const auto holdsTail = [&] { return w.state.tools[kRight].threadCoordinate >= 0.0 && w.state.tools[kRight].threadCoordinate < w.state.strand.holes[0].coordinate; };
-  for (int k = 0; k < 30000 && !holdsTail(); ++k) ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
-  ASSERT_TRUE(holdsTail());
-  const Vec3 from = w.input.tools[kLeft].pose.position, way = Vec3(1.0, 1.0, 1.0).normalized();   // [m], [1]
-  for (int k = 0; k < 200; ++k) {
-    w.state.tools[kLeft].threadForce = 3.0 * way;   // [N] as if it were
-    ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
-  }
-  EXPECT_GT((w.input.tools[kLeft].pose.position - from).dot(way), 5e-3);
-}
-
 /// The winding hand feels the stitch as the driver closes on the tail: the loop lies between the jaws, too. They open again; drawn through, it
 /// would tear at the wall.
 TEST(InstrumentTie, JawsThatHaveClosedOnTheirLoopOpenAgain) {

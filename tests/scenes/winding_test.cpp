@@ -115,6 +115,24 @@ TEST_F(Winding, JawsWaitInATightLoopAndLeaveItClosed) {
   EXPECT_GT(scenes::tailPlace(scene), before + 2e-3);
 }
 
+/// Thread that lies otherwise than was planned draws on the winding hand however that gives way, and on what leaves its loop: the hand goes where
+/// it is drawn.
+TEST_F(Winding, AHandThatIsDrawnHardGoesAlong) {
+  runTo(scenes::kFollow);
+  const scenes::Scene scene{w.model, w.state, *memory, script.actions[0], 1e-3, 0.0};
+  const auto goes = [&] {                      // [m] toward the driver
+    const Vec3 from = memory->hand[kLeft].command.position, way = (memory->hand[kRight].command.position - from).normalized();   // [m], [1]
+    for (int k = 0; k < 60; ++k) {
+      w.state.tools[kLeft].threadForce = 6.0 * way;   // [N]
+      EXPECT_TRUE(w.advance(script, *memory)) << w.failure;
+    }
+    return (memory->hand[kLeft].command.position - from).dot(way);
+  };
+  EXPECT_GT(goes(), 2e-3);
+  scenes::goTo(scene, scenes::kUnwind);
+  EXPECT_GT(goes(), 2e-3);
+}
+
 /// Jaws that have missed the tail twice go where it lies by itself: other thread across it would be taken again.
 TEST_F(Winding, TheTailIsTakenWhereNoOtherThreadLies) {
   runTo(scenes::kFollow);
