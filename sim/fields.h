@@ -151,7 +151,7 @@ template <class V> void visitMembers(TiedStitches& object, FieldWalk<V>& walk) {
 HALSTED_FIELDS(ThreadSupply, left, handed, refusal, bitesBefore, fullThicknessBefore, tearsBefore)
 HALSTED_FIELDS(TissueGrasp, count, triangle, weight, local, force)
 HALSTED_FIELDS(ToolState, device, proxy, lag, jaw, closed, ratchet, force, holdsNeedle, needleCoordinate, needleInTool, needleForce, threadCoordinate,
-               threadForce, strandForce, grasp, through, contactCount, contactTriangle, contactWeight,
+               threadInTool, threadForce, strandForce, grasp, through, contactCount, contactTriangle, contactWeight,
                contactNormal, contactForce, nearCount, nearTriangle)
 HALSTED_FIELDS(InstrumentState, second, refusal)
 HALSTED_FIELDS(StandingClamp, hand, second, jaw, held, pose, grasp)

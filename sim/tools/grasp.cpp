@@ -20,6 +20,7 @@ constexpr double kGripTurn = 1.0;              // [N m/rad] needle held across t
 constexpr double kThreadGrip = 8.0;            // [N] above it the thread slips through the jaws
 constexpr double kMostSlip = 1e-3;             // [m] a step
 constexpr double kJawDepth = 7e-3;             // [m] from the tips along the jaws: how deep things may lie and be held
+constexpr double kDrawIn = 0.05;               // [m/s] of thread between closing jaws, onto their middle line: at once would be a blow of its own weight
 constexpr double kSlipping = 0.998;            // [1] of the squared grip: above it a held point slides
 constexpr double kSlipReach = 1.5;             // [1] of the capture radius: tissue this far from the jaws has slipped out
 constexpr int kScan = 64;                      // samples along the needle when looking for what the jaws hold
@@ -59,7 +60,16 @@ bool graspThread(const Model& m, int hand, State& s) {
       if (d < best) { best = d; t.threadCoordinate = coordinate; }
     }
   }
-  return t.threadCoordinate >= 0.0;
+  if (t.threadCoordinate < 0.0) return false;
+  t.threadInTool = t.proxy.inverseApply(strandPoint(m.strand, s.strand, t.threadCoordinate));
+  return true;
+}
+
+/// Held thread comes onto the jaws' middle line, as deep as it lay between them.
+void drawIn(double dt, ToolState& t) {         // [s]
+  const Vec3 way = Vec3(0.0, 0.0, std::fmin(kJawDepth, std::fmax(0.0, t.threadInTool.z()))) - t.threadInTool;   // [m]
+  const double far = way.norm();               // [m]
+  t.threadInTool += (far > kDrawIn * dt ? kDrawIn * dt / far : 1.0) * way;
 }
 
 /// Holds the surface points nearest to the jaws' middle line, at most one a triangle vertex neighbourhood, nearest first.
@@ -101,7 +111,7 @@ void release(const Model& m, int hand, State& s, StepOutput& out) {
   if (t.grasp.count > 0) pushEvent(out, {s.step, EventKind::kTissueReleased, hand, -1, touchForce(t).norm()});
   letGoOfTissue(m, t.grasp, s);
   t.holdsNeedle = false;
-  t.needleForce = t.threadForce = Vec3::Zero();
+  t.needleForce = t.threadForce = t.threadInTool = Vec3::Zero();
   t.threadCoordinate = -1.0;
   out.contact[hand].puncture = true;           // letting go may change the force at once
 }
@@ -175,6 +185,7 @@ void moveTool(const Model& m, int hand, const ToolSample& sample, State& s, Step
     t.closed = false;
     release(m, hand, s, out);
   }
+  if (t.threadCoordinate >= 0.0) drawIn(m.params.dt, t);
 }
 
 GraspLinks linkGrasp(const Model& m, int hand, State& s) {
@@ -194,7 +205,7 @@ GraspLinks linkGrasp(const Model& m, int hand, State& s) {
   }
   if (t.threadCoordinate >= 0.0) {
     link.coordinate = t.threadCoordinate;
-    link.anchor = looseTool(m, hand, t, t.threadForce).position;
+    link.anchor = looseTool(m, hand, t, t.threadForce).apply(t.threadInTool);
     links.thread = s.work.strand.linkCount;
     addLink(s.work.strand, link);
   }
@@ -216,7 +227,7 @@ void slipThread(const Model& m, int hand, State& s, StepOutput& out) {
   pushEvent(out, {s.step, EventKind::kThreadReleased, hand, -1, pull});
   comeFree(m, hand, t.threadForce, t);
   t.threadCoordinate = -1.0;
-  t.threadForce.setZero();
+  t.threadForce = t.threadInTool = Vec3::Zero();
   out.contact[hand].puncture = true;
 }
 

@@ -32,6 +32,7 @@ struct ToolState {
   Pose needleInTool;                           // needle frame in the tool frame at the grasp
   Vec3 needleForce = Vec3::Zero();             // [N] on the tool
   double threadCoordinate = -1.0;              // [m] strand coordinate held, < 0 none
+  Vec3 threadInTool = Vec3::Zero();            // [m] of that in the tool frame
   Vec3 threadForce = Vec3::Zero();             // [N] on the tool
   Vec3 strandForce = Vec3::Zero();             // [N] on the tool, thread and needle lying against it
   TissueGrasp grasp;                           // tissue in the jaws

@@ -66,6 +66,24 @@ TEST(Jaws, RestOnWhatLiesBetweenThemInsteadOfCrushingIt) {
   std::printf("two strands between the jaws: %.1f N, jaws %.3f open\n", w.hardest, w.state.tools[kLeft].jaw);
 }
 
+/// Thread is held where the jaws close on it. Drawn to their tips at once, 1.5 mm of thread would be flung by several newtons.
+TEST(Jaws, HoldThreadAsDeepAsItLies) {
+  TwoStrands w;
+  double tension = 0.0;                        // [N]
+  for (int k = 1; k <= 300; ++k) {
+    w.input.tools[kLeft].jaw = std::max(0.0, 1.0 - k / 200.0);
+    w.step();
+    tension = std::max(tension, *std::max_element(w.state.strand.tension.begin(), w.state.strand.tension.end()));
+  }
+  const ToolState& t = w.state.tools[kLeft];
+  ASSERT_GE(t.threadCoordinate, 0.0);
+  const Vec3 held = t.proxy.inverseApply(strandPoint(w.model.strand, w.state.strand, t.threadCoordinate));   // [m]
+  EXPECT_LT(held.head<2>().norm(), 0.1e-3);
+  EXPECT_GT(held.z(), 1.5e-3);
+  EXPECT_LT(tension, 0.5);
+  std::printf("held %.2f mm from the tips, at most %.2f N in the thread as the jaws close\n", 1e3 * held.z(), tension);
+}
+
 TEST(Jaws, CloseWhereNothingLiesBetweenThem) {
   TwoStrands w;
   w.input.tools[kLeft].pose.position.z() += 60e-3;   // back along its shaft, off the thread
