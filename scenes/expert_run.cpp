@@ -82,7 +82,7 @@ void goOn(const State& state, std::size_t action, ExpertState& e) {
   e.actionStart = e.phaseStart = state.step;
 }
 
-/// "file:line: action." of the key that follows.
+/// "file:line: " of an action, and with "action." of the key that follows.
 std::string lineOf(const ExpertScript& script, const ExpertAction& a) { return quoted(script.origin) + ":" + std::to_string(a.line) + ": "; }
 std::string placeOf(const ExpertScript& script, const ExpertAction& a) { return lineOf(script, a) + "action."; }
 

@@ -1,7 +1,8 @@
 #pragma once
 /// Thread wound round a tool, as paper 003 section 2.4 finds it: the nodes that touch the tool are projected onto the plane normal to it,
 /// each pair of neighbours is tested against every later pair, and a crossing is a loop when (1) the tool lies inside it by the even-odd
-/// rule and (2) the loop's two ends are near each other in space. Pure functions; + - * / only.
+/// rule and (2) the loop's two ends are near each other in space. The paper's nodes collide with the tool and its ends are one pair apart; here
+/// whoever asks says how near is near. Thread whose strands do not cross, as a single turn held open, is not wound. Pure functions; + - * / only.
 #include <limits>
 #include <span>
 
