@@ -26,6 +26,7 @@ constexpr NumberKey kSutureNumbers[] = {
     {"width_mm", &ExpertAction::width, 2.0, 14.0, 1e-3},            {"pull_mm", &ExpertAction::pull, 0.0, 300.0, 1e-3},
     {"tension_n", &ExpertAction::tension, 0.05, 20.0, 1.0},         {"limit_s", &ExpertAction::seconds, 0.01, 600.0, 1.0},
     {"tail_mm", &ExpertAction::tail, 10.0, 120.0, 1e-3},
+    {"draw_deg", &ExpertAction::drawDegrees, 0.0, 80.0, 1.0},
     {"gap_mm", &ExpertAction::gap, 0.1, 10.0, 1e-3},
     {"beyond_hand_mm", &ExpertAction::beyondHand, 5.0, 40.0, 1e-3},
     {"long_end_mm", &ExpertAction::longEnd, 30.0, 120.0, 1e-3},

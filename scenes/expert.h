@@ -38,6 +38,7 @@ struct ExpertAction {
   double tension = 1.0;                        // tension_n [N] at which tightening stops
   double seconds = 60.0;                       // limit_s [s] of the action; of a hold, its length
   std::string tie;                             // tie: throws as surgeons write them, "1=1", "2=1=1", "1x1"
+  double drawDegrees = 0.0;                    // draw_deg [deg] of the line along which the ends of a throw are drawn apart to the straight line over the stitch, the tail toward the surgeon
   double gap = 0.0;                            // gap_mm [m] of a knot tied by friction: walls that come farther apart under a throw that nothing locks are drawn together again; 0: not looked at
   double beyondHand = 0.012;                   // beyond_hand_mm [m] past the hand that holds the long end: where it is cut at the nearest
   double longEnd = 0.065;                      // long_end_mm [m] of thread between the stitch and the hand that winds it, for single turns

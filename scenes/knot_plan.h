@@ -28,6 +28,7 @@ struct KnotPlan {
   double detour = 0.0;                         // [m] that the long end is longer than its straight way up from the hole: over an edge first
   double given = 0.0;                          // [m] by which the winding hand has given way
   double lower = 0.0;                          // [m] by which the driver stands nearer to the stitch than its thread allows: its device has come to a stop, or the winding hand has nothing more to give
+  Vec3 longWay = -Vec3::UnitX();               // [1] in which the long end of this throw is drawn
   double beyond = 0.0;                         // [m] of thread in the loop beyond the way from hole to hole, as its last throw was drawn
   double hung = 1.0;                           // [m] of that as this throw's loop was last seen to hang: farther than any can
   double tailOut = 0.0;                        // [m] coordinate at which the tail left the throws that lay as it was taken; with none, its hole

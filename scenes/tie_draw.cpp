@@ -3,6 +3,7 @@
 
 #include "scenes/tie_phases.h"
 #include "scenes/tie_places.h"
+#include "sim/portable_math.h"
 #include "sim/strand/strand.h"
 #include "sim/suture/knot_place.h"
 #include "sim/suture/tied_loop.h"
@@ -37,6 +38,22 @@ std::optional<TiedLoop> loopOf(const Scene& s) {
 
 /// Is there a throw below that nothing locks yet, and that a pull on one end alone draws apart?
 bool loosensThrow(const Scene& s) { return s.memory.knot.current > 0 && locks(s.state.knot) == 0; }
+
+/// Which way the tail is drawn, and the long end against it: across the wound, turned toward the surgeon as the script says.  [1]
+Vec3 drawWay(const Scene& s) {
+  const double turned = s.action.drawDegrees * kPi / 180.0;   // [rad]
+  return cosine(turned) * s.memory.knot.side + sine(turned) * s.memory.knot.handle;
+}
+
+/// A long end's hand whose device has come to its stop aslant goes on from there straight across: the tail drawn for it would come out of its throw.
+bool goesStraight(const Scene& s) {
+  KnotPlan& k = s.memory.knot;
+  if (s.action.drawDegrees == 0.0 || k.longWay == Vec3(-k.side)) return false;
+  s.memory.goal[kLeft].position = s.state.tools[kLeft].proxy.position;
+  k.longWay = -k.side;
+  k.drawn[kLeft] = 0.0;
+  return true;
+}
 
 /// With what a loop that clings is drawn off.  [N]
 double firm(const Scene& s) { return loosensThrow(s) ? kGentle : kFirm; }
@@ -100,9 +117,10 @@ void drawThrough(const Scene& s) {
     if (!drawn) { moveHand(s, kLeft, keepTurn(s, kLeft, p + kOver * k.up - kBeyond * k.handle), kCareful); return; }
     drawOffTips(s);
   } else {
+    k.longWay = -drawWay(s);
     const double low = s.state.cut ? std::fmax(kLow, k.floor) : k.current > 0 ? kLower : kLow;   // [m] drawn along the wall, as ends that are drawn up lift the throw; but over cut edges
-    const bool right = moveHand(s, kRight, keepTurn(s, kRight, withinTail(s, p + kAside * k.side + low * k.up)), kCareful);
-    const bool left = moveHand(s, kLeft, keepTurn(s, kLeft, p - 2.0 * kAside * k.side + low * k.up), kMove);
+    const bool right = moveHand(s, kRight, keepTurn(s, kRight, withinTail(s, p + kAside * drawWay(s) + low * k.up)), kCareful);
+    const bool left = moveHand(s, kLeft, keepTurn(s, kLeft, p + 2.0 * kAside * k.longWay + low * k.up), kMove);
     if (!right || !left) return;
     for (int h = 0; h < kHands; ++h) e.goal[h] = e.hand[h].command;
     k.drawn = k.felt = {};
@@ -125,10 +143,11 @@ bool drawTight(const Scene& s) {
     const double most = h == kLeft || stopped ? 1.0 : ready ? kHoldTail : 0.0;   // [1]
     const double pace = std::fmax(-1.0, std::fmin(most, lack));  // [1]
     stopped = (e.hand[h].command.position - s.state.tools[h].proxy.position).norm() > kBehind || s.state.tools[h].force.norm() > kLeans;
+    stopped = stopped && !(h == kLeft && goesStraight(s));
     const double by = pace * (k.felt[h] > kOff ? kDrawTaut : kDraw) * s.dt;   // [m]
     if (!stopped || by < 0.0) k.drawn[h] = std::fmin(kReach, std::fmax(0.0, k.drawn[h] + by));
     tight = tight && (lack < 0.2 || stopped || k.drawn[h] >= kReach);
-    const Vec3 way = (h == kLeft ? -1.0 : 1.0) * k.side;
+    const Vec3 way = h == kLeft ? k.longWay : drawWay(s);   // [1]
     moveHand(s, h, {e.goal[h].position + k.drawn[h] * way, e.goal[h].orientation}, 0.1);
   }
   k.settled = tight ? k.settled + s.dt : 0.0;
@@ -164,9 +183,9 @@ bool layTail(const Scene& s) {
   ExpertState& e = s.memory;
   KnotPlan& k = e.knot;
   const Vec3 from = stitch(s);
-  feel(k.felt[kLeft], std::fmax(0.0, s.state.tools[kLeft].threadForce.dot(k.side)), s.dt, kFeelTime);   // what pushes it back is no pull
+  feel(k.felt[kLeft], std::fmax(0.0, -s.state.tools[kLeft].threadForce.dot(k.longWay)), s.dt, kFeelTime);   // what pushes it back is no pull
   if (k.felt[kLeft] > kEased) k.drawn[kLeft] -= kEase * s.dt;
-  moveHand(s, kLeft, {e.goal[kLeft].position - k.drawn[kLeft] * k.side, e.goal[kLeft].orientation}, kEase);
+  moveHand(s, kLeft, {e.goal[kLeft].position + k.drawn[kLeft] * k.longWay, e.goal[kLeft].orientation}, kEase);
   if (s.inPhase < 1.5 * s.dt) {
     const double far = (e.hand[kRight].command.position - from).norm();   // [m]
     const double aside = noThrowCame(k) ? -kLaySide : kLaySide;   // [1]

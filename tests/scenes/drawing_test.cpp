@@ -5,6 +5,7 @@
 #include "scenes/tie_phases.h"
 #include "scenes/tie_places.h"
 #include "sim/strand/strand.h"
+#include "sim/suture/knot_place.h"
 #include "tests/scenes/tying.h"
 
 namespace halsted {
@@ -63,6 +64,47 @@ TEST_F(Drawing, AHandThatLeansOnTissueDrawsNoFarther) {
   left.force = felt;
   scenes::runTie(scene, failure);
   EXPECT_GT(memory->knot.drawn[kLeft], before);
+}
+
+/// How far two turns reach along the tail when its ends have been drawn apart, so far from straight over the stitch.  [m]
+double twistDrawnAt(int degrees) {             // [deg]
+  TiedWall w;
+  const scenes::ExpertScript script = scenes::parseExpert(
+      "scene = \"wall\"\n[[action]]\ndo = \"tie\"\ntie = \"2\"\ndraw_deg = " + std::to_string(degrees) + "\nlimit_s = 60\n", "test");
+  const scenes::ExpertStatePtr memory = scenes::beginExpert(script, w.model);
+  for (int k = 0; k < 40000 && w.advance(script, *memory); ++k) {}
+  EXPECT_EQ(w.failure, "");
+  const std::optional<KnotPlace> knot = placeOfKnot(w.model, w.state);
+  EXPECT_TRUE(knot);
+  return knot ? knot->tail - knot->tailOut : 0.0;   // coordinates grow toward the stitch
+}
+
+/// Drawn straight over the stitch, two turns twist along as much of it as there is, for nothing parts the strands; the next throw draws that together, and
+/// what it gives is slack in the loop (`lembert`: 22 mm from hole to hole, five loops of ten hung).
+TEST(DrawnAslant, ADoubleThrowTwistsShorter) {
+  const double straight = twistDrawnAt(0), aslant = twistDrawnAt(48);   // [m]
+  RecordProperty("straight_mm", std::to_string(1e3 * straight));
+  RecordProperty("aslant_mm", std::to_string(1e3 * aslant));
+  EXPECT_GT(aslant, 0.0);
+  EXPECT_LT(aslant, 0.9 * straight);            // across this thin wall, 4.4 and 5.2 mm
+}
+
+/// A device is not deep: in `lembert` the long end's came to its stop, and the other hand drew 25 mm of thread through both walls.
+TEST_F(Drawing, AHandThatStopsAslantGoesOnStraightAcross) {
+  script = tie("tie = \"1\"\ndraw_deg = 48");
+  const scenes::Scene aslant{w.model, w.state, *memory, script.actions[0], 1e-3, 0.0};
+  runTo(scenes::kDrawTight);
+  std::string failure;
+  const double tail = memory->knot.drawn[kRight];   // [m]
+  EXPECT_LT(memory->knot.longWay.dot(-memory->knot.side), 0.7);
+  w.state.tools[kLeft].force = Vec3(0.0, 0.0, 10.0);
+  scenes::runTie(aslant, failure);
+  EXPECT_EQ(memory->knot.longWay, Vec3(-memory->knot.side));
+  EXPECT_EQ(memory->goal[kLeft].position, w.state.tools[kLeft].proxy.position);
+  EXPECT_LT(memory->knot.drawn[kRight] - tail, 1e-5);
+  const double before = memory->knot.drawn[kLeft];   // [m]
+  scenes::runTie(aslant, failure);              // there is no other way left
+  EXPECT_EQ(memory->knot.drawn[kLeft], before);
 }
 
 /// The hand that eased off felt the wall against which it came as if that were the pull it was to answer, and leant on it with 8 N (`connell`).
