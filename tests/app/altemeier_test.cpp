@@ -15,7 +15,7 @@ using halsted::testing::TemporaryFolder;
 
 constexpr std::uint64_t kRecorded = 15000;     // steps that are replayed too: well into the outer wall
 
-struct Worst {
+struct WorstCut {
   double outerAtInner = 0.0;                   // [1] share of the outer wall that was through when the inner one was first hurt
   double cutting = 0.0, sewing = 0.0;          // [N] on a hand
   double hole = 0.0, loop = 0.0;               // [N] at a hole and in a kept stitch
@@ -44,7 +44,7 @@ TEST(SlowAltemeier, TheSpecimenIsCutOffAndBothEdgesAreSewnToEachOtherByTheScript
   const TemporaryFolder folder;
   const std::string session = folder.file("a.halsted");
   const Scenario scenario = scenarioFromFile(testing::sourceFolder() + "/scenes/altemeier/expert.toml", {"thread.assist=knot"});
-  Worst seen;
+  WorstCut seen;
   Lockstep run(scenario);
   {
     SessionWriter writer(session, sessionHeader(scenario, ""));

@@ -10,8 +10,8 @@
 namespace halsted::app {
 namespace {
 
-class StirredScene : public testing::TestWithParam<std::uint64_t> {};
-INSTANTIATE_TEST_SUITE_P(Seed, StirredScene, testing::Values(1));
+class StirredScene : public ::testing::TestWithParam<std::uint64_t> {};
+INSTANTIATE_TEST_SUITE_P(Seed, StirredScene, ::testing::Values(1));
 
 TEST_P(StirredScene, NoDeviceIsGivenEnergyThatNobodyPutIn) {
   const Scenario scenario = scenarioFromScene("purse_string", {}, {});

@@ -15,7 +15,7 @@
 namespace halsted::app {
 namespace {
 
-constexpr int kSteps = 240;                    // a Debug build takes a quarter of a minute for it
+constexpr int kGoldenSteps = 240;                    // a Debug build takes a quarter of a minute for it
 constexpr int kNeedlingSteps = 18000;          // of a few microseconds each: until the needle is twirled
 
 std::string hashesOf(const Scenario& scenario, int steps) {
@@ -41,7 +41,7 @@ class SolverHash : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(SolverHash, IsReachedByEveryCompilerAndBuild) {
   const std::string solver = GetParam();
-  expectGolden("purse_string_" + solver, hashesOf(expertScenario({"tissue.solver=" + solver}), kSteps));
+  expectGolden("purse_string_" + solver, hashesOf(expertScenario({"tissue.solver=" + solver}), kGoldenSteps));
 }
 
 TEST(GoldenHash, OfTheNeedledSlabIsReachedByEveryCompilerAndBuild) {
@@ -53,7 +53,7 @@ class SceneHash : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(SceneHash, IsReachedByEveryCompilerAndBuild) {
   const std::string scene = GetParam();
-  expectGolden(scene, hashesOf(scenarioFromFile(halsted::testing::sourceFolder() + "/scenes/" + scene + "/expert.toml", {"thread.assist=knot"}), kSteps));
+  expectGolden(scene, hashesOf(scenarioFromFile(halsted::testing::sourceFolder() + "/scenes/" + scene + "/expert.toml", {"thread.assist=knot"}), kGoldenSteps));
 }
 
 INSTANTIATE_TEST_SUITE_P(GoldenHash, SceneHash, ::testing::Values("stay", "connell", "lembert", "altemeier"),

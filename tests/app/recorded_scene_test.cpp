@@ -20,13 +20,13 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr int kSteps = 5;
+constexpr int kFewSteps = 5;
 
 /// Records a few steps; returns the hash of the last state.
 std::uint64_t record(const std::string& path, const Scenario& scenario, const std::string& trainee = "") {
   SessionWriter writer(path, sessionHeader(scenario, trainee));
   Lockstep run(scenario);
-  for (int i = 0; i < kSteps && run.advance(); ++i) writer.addStep(run.input(), hash(run.state()));
+  for (int i = 0; i < kFewSteps && run.advance(); ++i) writer.addStep(run.input(), hash(run.state()));
   writer.close();
   return hash(run.state());
 }

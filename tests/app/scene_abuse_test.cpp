@@ -18,7 +18,7 @@ namespace halsted::app {
 namespace {
 
 constexpr int kAsk = 97;                       // steps: again and again a new thread is asked for, at bad moments mostly
-constexpr int kLook = 64;                      // steps between two looks at the thread
+constexpr int kThreadLook = 64;                      // steps between two looks at the thread
 constexpr int kAgain = 1000;                   // steps at the end that are done twice
 constexpr int kStill = 1000;                   // steps of still hands after all
 
@@ -81,7 +81,7 @@ class WildHands : public ::testing::TestWithParam<Case> {
     for (const ToolState& t : s.tools) most_ = std::max(most_, t.force.norm());
     liveliest_ = std::max(liveliest_, kineticEnergy(scenario_.model, s));
     broken_ += finite(s) ? 0 : 1;
-    if (s.step % kLook != 0) return;
+    if (s.step % kThreadLook != 0) return;
     const ThreadDepth d = threadDepth(scenario_.model, s);
     deepest_.tissue = std::max(deepest_.tissue, d.tissue);
     deepest_.tool = std::max(deepest_.tool, d.tool);

@@ -18,7 +18,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 /// Records `steps` steps of the expert; a whole state every `stateEvery` steps.
-void record(const std::string& path, int steps, int stateEvery) {
+void recordSteps(const std::string& path, int steps, int stateEvery) {
   const Scenario scenario = expertScenario({"tissue.mass_damping=6.5"});
   SessionWriter writer(path, sessionHeader(scenario, ""));
   Lockstep run(scenario);
@@ -58,7 +58,7 @@ std::string verifyAll(const std::string& path, std::uint64_t& checked) {
 
 TEST(Verify, ARecordingReplaysToTheBit) {
   const TemporaryFolder folder;
-  record(folder.file("a.halsted"), 300, 100);
+  recordSteps(folder.file("a.halsted"), 300, 100);
   std::uint64_t checked = 0;
   EXPECT_EQ(verifyAll(folder.file("a.halsted"), checked), "");
   EXPECT_EQ(checked, 300u);
@@ -73,7 +73,7 @@ struct Recorded {
 
  private:
   Scenario recorded(int steps, int stateEvery) {
-    record(folder.file("a.halsted"), steps, stateEvery);
+    recordSteps(folder.file("a.halsted"), steps, stateEvery);
     return scenarioFromFile(folder.file("a.halsted"), {});
   }
 };
@@ -118,7 +118,7 @@ TEST(Verify, AStoredStateThatIsNotTheRecordedOneIsRefused) {
 
 TEST(Verify, NothingToVerifyIsNoSuccess) {
   const TemporaryFolder folder;
-  record(folder.file("a.halsted"), 0, 100);
+  recordSteps(folder.file("a.halsted"), 0, 100);
   PlayOptions options;
   options.file = folder.file("a.halsted");
   options.verify = true;
@@ -127,7 +127,7 @@ TEST(Verify, NothingToVerifyIsNoSuccess) {
 
 TEST(Verify, AChangedSampleIsFoundAtItsStepAndByField) {
   const TemporaryFolder folder;
-  record(folder.file("a.halsted"), 300, 100);
+  recordSteps(folder.file("a.halsted"), 300, 100);
   tamper(folder.file("a.halsted"), 142);
   std::uint64_t checked = 0;
   const std::string message = verifyAll(folder.file("a.halsted"), checked);
@@ -138,7 +138,7 @@ TEST(Verify, AChangedSampleIsFoundAtItsStepAndByField) {
 
 TEST(Verify, ARecordingKeepsItsParametersWhateverTheSceneFolderSays) {
   const TemporaryFolder folder;
-  record(folder.file("a.halsted"), 5, 100);
+  recordSteps(folder.file("a.halsted"), 5, 100);
   EXPECT_EQ(scenarioFromFile(folder.file("a.halsted"), {}).model.params.tissue.massDamping, 6.5);
   EXPECT_EQ(scenarioFromFile(folder.file("a.halsted"), {"tissue.mass_damping=9"}).model.params.tissue.massDamping, 9.0);
 }

@@ -9,9 +9,9 @@
 namespace halsted::haptics {
 namespace {
 
-constexpr double kCreated = 1e-4;              // [J] the most that a press-release cycle may create
+constexpr double kToolCreated = 1e-4;              // [J] the most that a press-release cycle may create
 constexpr double kReplaced = 0.05;             // [N] the most that a new model may change the force
-constexpr double kBuzz = 0.02;                 // [N] RMS above 30 Hz of a held contact
+constexpr double kToolBuzz = 0.02;                 // [N] RMS above 30 Hz of a held contact
 
 SimParams softWall() {
   SimParams p = wallParams();
@@ -25,10 +25,10 @@ void expectLaws(const SimParams& p, WallPress press, const NamedHand& hand, doub
   const WallResult r = pressWall(p, press);
   std::printf("%-10s %3.0f mm/s, delay %d: least %9.2e J, cycle %9.2e J, replaced %.3f N, buzz %.4f N, steady %.2f N\n", hand.name,
               speed * 1e3, press.delay, r.leastEnergy, r.energyTaken, r.replaced, r.buzz, r.steady);
-  EXPECT_GT(r.leastEnergy, -kCreated) << hand.name << " " << speed;
-  EXPECT_GT(r.energyTaken, -kCreated) << hand.name << " " << speed;
+  EXPECT_GT(r.leastEnergy, -kToolCreated) << hand.name << " " << speed;
+  EXPECT_GT(r.energyTaken, -kToolCreated) << hand.name << " " << speed;
   EXPECT_LT(r.replaced, kReplaced) << hand.name << " " << speed;
-  EXPECT_LT(r.buzz, kBuzz) << hand.name << " " << speed;
+  EXPECT_LT(r.buzz, kToolBuzz) << hand.name << " " << speed;
   EXPECT_GT(press.slidesOff ? r.peak : r.steady, 0.05) << "the hand did press";
   EXPECT_EQ(r.otherHand, 0.0);
 }

@@ -11,7 +11,7 @@
 namespace halsted::haptics {
 namespace {
 
-constexpr double kTick = 1e-3;  // [s]
+constexpr double kDeviceTick = 1e-3;  // [s]
 
 HandTarget at(const Vec3& position) {
   HandTarget target;
@@ -23,8 +23,8 @@ HandTarget at(const Vec3& position) {
 /// Runs `seconds` with a constant motor force and returns the last reading.
 DeviceReading run(VirtualDevice& device, double seconds, const Vec3& force = Vec3::Zero()) {  // [s] [N]
   DeviceReading reading;
-  for (int i = 0; i < static_cast<int>(seconds / kTick + 0.5); ++i) {
-    reading = device.read(kTick);
+  for (int i = 0; i < static_cast<int>(seconds / kDeviceTick + 0.5); ++i) {
+    reading = device.read(kDeviceTick);
     device.write(force);
   }
   return reading;
@@ -40,7 +40,7 @@ TEST(VirtualTouch, ReadsMultiplesOfItsResolution) {
   VirtualDevice device;
   device.setTarget(at(Vec3(0.0123, -0.0077, 0.0031)));
   for (int i = 0; i < 400; ++i) {
-    const Vec3 counts = device.read(kTick).pose.position / 0.055e-3;
+    const Vec3 counts = device.read(kDeviceTick).pose.position / 0.055e-3;
     for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(counts[axis], std::round(counts[axis]), 1e-6);
     EXPECT_LE((device.position() - counts * 0.055e-3).cwiseAbs().maxCoeff(), 0.0275e-3 + 1e-12);
   }
@@ -70,7 +70,7 @@ TEST(VirtualTouch, HandReachesItsTargetThroughFriction) {
     EXPECT_LT((device.position() - goal).norm(), 0.06e-3) << goal.transpose();
     double far = 0.0;  // [m] and it stays there: looking does not make it hunt
     for (int i = 0; i < 2000; ++i) {
-      run(device, kTick);
+      run(device, kDeviceTick);
       far = std::max(far, (device.position() - goal).norm());
     }
     EXPECT_LT(far, 0.06e-3) << goal.transpose();
@@ -82,7 +82,7 @@ TEST(VirtualTouch, HandDoesNotOvershootMuchAndStaysWithinItsSpeed) {
   device.setTarget(at(Vec3(0.04, 0.0, 0.0)));
   double farthest = 0.0, fastest = 0.0;  // [m] [m/s]
   for (int i = 0; i < 1000; ++i) {
-    run(device, kTick);
+    run(device, kDeviceTick);
     farthest = std::max(farthest, device.position().x());
     fastest = std::max(fastest, device.velocity().norm());
   }
@@ -106,7 +106,7 @@ TEST(VirtualTouch, ReleasedAfterALongPushTheHandSettlesSoon) {
   run(device, 5.0, Vec3(0.0, 3.3, 0.0));  // more than looking may add: the integral must not have wound up
   double farthest = 0.0;  // [m]
   for (int i = 0; i < 500; ++i) {
-    run(device, kTick);
+    run(device, kDeviceTick);
     farthest = std::max(farthest, -device.position().y());
   }
   EXPECT_LT(farthest, 2.0 / 400.0);
@@ -127,7 +127,7 @@ TEST(VirtualTouch, HoldsStillWithoutATarget) {
   VirtualDevice device({Vec3(0.01, 0.02, -0.01), Quat::Identity()});
   for (int i = 0; i < 500; ++i) {
     device.setTarget({});
-    device.read(kTick);
+    device.read(kDeviceTick);
     device.write(Vec3::Zero());
   }
   EXPECT_LT((device.position() - Vec3(0.01, 0.02, -0.01)).norm(), 1e-12);
@@ -140,8 +140,8 @@ TEST(VirtualTouch, OrientationFollowsAtAHandsRate) {
   device.setTarget(target);
   Quat last = Quat::Identity();
   for (int i = 0; i < 400; ++i) {
-    const Quat now = device.read(kTick).pose.orientation;
-    EXPECT_LE(now.angularDistance(last), 12.0 * kTick * 1.05);
+    const Quat now = device.read(kDeviceTick).pose.orientation;
+    EXPECT_LE(now.angularDistance(last), 12.0 * kDeviceTick * 1.05);
     EXPECT_NEAR(now.norm(), 1.0, 1e-12);
     last = now;
   }
@@ -161,7 +161,7 @@ TEST(VirtualTouch, HostileTargetsAndTimesLeaveItFinite) {
   VirtualDevice device;
   HandTarget bad = at(Vec3(std::nan(""), 0.0, 0.0));
   device.setTarget(bad);
-  device.read(kTick);
+  device.read(kDeviceTick);
   bad = at(Vec3::Zero());
   bad.pose.orientation.coeffs().setConstant(std::nan(""));
   bad.jaw = 7.0;
@@ -172,7 +172,7 @@ TEST(VirtualTouch, HostileTargetsAndTimesLeaveItFinite) {
     EXPECT_NEAR(reading.pose.orientation.norm(), 1.0, 1e-9);
   }
   device.write(Vec3(std::nan(""), 0.0, 0.0));
-  EXPECT_TRUE(device.read(kTick).pose.position.allFinite());
+  EXPECT_TRUE(device.read(kDeviceTick).pose.position.allFinite());
 }
 
 TEST(VirtualTouch, SameInputSameBits) {
@@ -181,7 +181,7 @@ TEST(VirtualTouch, SameInputSameBits) {
     const HandTarget target = at(Vec3(0.02 * (i % 300), -0.01 * (i % 170), 0.005) * 0.005);
     const Vec3 force(0.01 * (i % 97) - 0.5, 0.02 * (i % 31) - 0.3, 0.1);
     one.setTarget(target), two.setTarget(target);
-    const DeviceReading a = one.read(kTick), b = two.read(kTick);
+    const DeviceReading a = one.read(kDeviceTick), b = two.read(kDeviceTick);
     one.write(force), two.write(force);
     ASSERT_EQ(0, std::memcmp(a.pose.position.data(), b.pose.position.data(), 3 * sizeof(double)));
     ASSERT_EQ(0, std::memcmp(one.velocity().data(), two.velocity().data(), 3 * sizeof(double)));
@@ -191,7 +191,7 @@ TEST(VirtualTouch, SameInputSameBits) {
 TEST(VirtualTouch, SaysWhenItIsUnplugged) {
   VirtualDevice device;
   device.setConnected(false);
-  EXPECT_FALSE(device.read(kTick).connected);
+  EXPECT_FALSE(device.read(kDeviceTick).connected);
   EXPECT_FALSE(device.write(Vec3(1.0, 0.0, 0.0)));
 }
 
@@ -199,15 +199,15 @@ TEST(ReplayDevice, GivesBackWhatWasRecordedAndThenItsLast) {
   std::vector<DeviceReading> readings(3);
   for (int i = 0; i < 3; ++i) readings[i].pose.position.x() = i, readings[i].presses = static_cast<std::uint32_t>(i);
   ReplayDevice device(readings);
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(device.read(kTick).presses, static_cast<std::uint32_t>(i));
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(device.read(kDeviceTick).presses, static_cast<std::uint32_t>(i));
   EXPECT_TRUE(device.finished());
-  EXPECT_EQ(device.read(kTick).pose.position.x(), 2.0);
+  EXPECT_EQ(device.read(kDeviceTick).pose.position.x(), 2.0);
   EXPECT_TRUE(device.write(Vec3::Zero()));
 }
 
 TEST(ReplayDevice, WithNothingRecordedIsGone) {
   ReplayDevice device({});
-  EXPECT_FALSE(device.read(kTick).connected);
+  EXPECT_FALSE(device.read(kDeviceTick).connected);
   EXPECT_FALSE(device.write(Vec3::Zero()));
 }
 

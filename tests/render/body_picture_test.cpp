@@ -11,8 +11,6 @@
 namespace halsted::render {
 namespace {
 
-constexpr int kWidth = 320, kHeight = 180;
-
 HudInput bare(bool otherView = false) {
   HudInput hud;
   hud.visible = false;

@@ -12,8 +12,6 @@
 namespace halsted::render {
 namespace {
 
-constexpr int kWidth = 320, kHeight = 180;
-
 class BruisePicture : public testing::Test {
  protected:
   BruisePicture() { snapshot.bruised.assign(scene.tissueRest.size(), 0.0); }

@@ -13,8 +13,6 @@
 namespace halsted::render {
 namespace {
 
-constexpr int kWidth = 320, kHeight = 180;
-
 /// The open colon end with one face between tets: across the lumen, facing the surgeon.
 class CutPicture : public testing::Test {
  protected:

@@ -11,6 +11,8 @@
 
 namespace halsted::render {
 
+inline constexpr int kWidth = 320, kHeight = 180;   // of a picture that is kept
+
 /// Share of colour values that differ by more than `tolerance`.
 inline double difference(const Frame& a, const Frame& b, int tolerance) {
   if (a.rgba.size() != b.rgba.size()) return 1.0;

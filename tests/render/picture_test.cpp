@@ -12,8 +12,6 @@
 namespace halsted::render {
 namespace {
 
-constexpr int kWidth = 320, kHeight = 180;
-
 class Picture : public testing::Test {
  protected:
   RenderScene scene = syntheticScene();

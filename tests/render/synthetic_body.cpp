@@ -7,7 +7,7 @@
 namespace halsted::render {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;         // [rad]
+constexpr double kFullTurn = 2.0 * std::numbers::pi;         // [rad]
 constexpr int kSectors = 32, kRings = 34, kPerSheet = 1 + kSectors * kRings;
 constexpr double kBall = 0.15, kFinest = 0.1e-3, kGrowth = 1.22;   // [m] [m] [1]
 constexpr double kBelow[4] = {0.0, 0.8e-3, 9.2e-3, 24e-3};         // [m] tops of skin, fat, muscle; floor of the cut
@@ -15,7 +15,7 @@ constexpr int kCut[3] = {28, 26, 23};                    // rings to which each 
 
 /// World: y up, the target at the origin on top of a ball.
 Vec3 placeOn(int sheet, int ring, int sector) {
-  const double r = ring < 0 ? 0.0 : kFinest * std::pow(kGrowth, ring), a = kTurn * sector / kSectors;   // [m] [rad]
+  const double r = ring < 0 ? 0.0 : kFinest * std::pow(kGrowth, ring), a = kFullTurn * sector / kSectors;   // [m] [rad]
   const double tilt = r / kBall, radius = kBall - kBelow[sheet];                                        // [rad] [m]
   return Vec3(-radius * std::sin(tilt) * std::cos(a), radius * std::cos(tilt) - kBall, radius * std::sin(tilt) * std::sin(a));
 }
@@ -74,7 +74,7 @@ RenderScene syntheticBody() {
   addWalls(scene, 2, {TissueLook::kMuscleSection, Shown::kCutaway});
   scene.body.layers = 3;
   scene.body.target = 0;
-  scene.body.points = {{"P1", "top", Vec3::Zero(), Vec3::UnitY(), 20e-3, 0.25 * kTurn}, {"P2", "aside", placeOn(0, 28, 24), Vec3(0, 1, 0), 10e-3, 0.25 * kTurn}};
+  scene.body.points = {{"P1", "top", Vec3::Zero(), Vec3::UnitY(), 20e-3, 0.25 * kFullTurn}, {"P2", "aside", placeOn(0, 28, 24), Vec3(0, 1, 0), 10e-3, 0.25 * kFullTurn}};
   scene.straightNeedle = {40e-3, 0.125e-3, 25e-3, 0.5e-3};
   scene.fingerRadius = 8e-3;
   scene.tools = {ToolKind::kFinger, ToolKind::kAcupunctureNeedle};
@@ -91,7 +91,7 @@ RenderSnapshot syntheticNeedling(const RenderScene& scene, double depth, double 
   s.tools[kLeft].pose = {placeOn(0, 27, 1), up};
   s.tools[kRight].pose = {Vec3(0, -depth, 0), up};
   s.needling.depth = depth;
-  s.needling.angle = 0.25 * kTurn;
+  s.needling.angle = 0.25 * kFullTurn;
   s.needling.dimple = {dimple, dimple, dimple};
   for (int k = 0; k < 3; ++k) {
     s.needling.inside[k] = std::clamp(depth - kBelow[k], 0.0, kBelow[k + 1] - kBelow[k]);

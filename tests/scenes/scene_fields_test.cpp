@@ -13,7 +13,7 @@ namespace {
 
 using scenes::SceneFile;
 
-SceneFile parse(const std::string& text, const std::vector<std::string>& overrides = {}) {
+SceneFile parseFields(const std::string& text, const std::vector<std::string>& overrides = {}) {
   return scenes::parseScene(text, "test.toml", "/tmp/test_scene", overrides);
 }
 
@@ -78,7 +78,7 @@ TEST(SceneFields, AreEachReadFromTheFileAndFromAnOverride) {
     const std::string value = sampleValue(field), title = field.key == "title" ? "" : "title = \"t\"\n";
     for (const bool fromFile : {true, false}) {
       try {
-        SceneFile parsed = fromFile ? parse(title + field.key + " = " + value) : parse("title = \"t\"\n", {field.key + "=" + value});
+        SceneFile parsed = fromFile ? parseFields(title + field.key + " = " + value) : parseFields("title = \"t\"\n", {field.key + "=" + value});
         EXPECT_EQ(heldValue(parsed, field.key), value) << field.key;
         ++found;
       } catch (const scenes::InputError& error) {

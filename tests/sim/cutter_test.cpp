@@ -9,7 +9,7 @@
 namespace halsted {
 namespace {
 
-constexpr int kSegment = 30;                   // of the thread, far from both ends
+constexpr int kCutSegment = 30;                   // of the thread, far from both ends
 
 SimParams withBlades(bool blades) {
   SimParams p = wallParams();
@@ -20,7 +20,7 @@ SimParams withBlades(bool blades) {
 
 /// The left tool with the middle of one segment `up` [m] from its tips, square between the jaws.
 Pose across(const State& s, double up) {
-  const Vec3 &a = s.strand.position[kSegment], &b = s.strand.position[kSegment + 1];
+  const Vec3 &a = s.strand.position[kCutSegment], &b = s.strand.position[kCutSegment + 1];
   const Vec3 y = (b - a).normalized(), z = y.unitOrthogonal();
   return {0.5 * (a + b) - up * z, Quat(Mat3((Mat3() << y.cross(z), y, z).finished())).normalized()};
 }
@@ -76,7 +76,7 @@ struct Piece { Vec3 centre = Vec3::Zero(), speed = Vec3::Zero(); };
 Piece tailPiece(const StepRig& rig) {
   Piece p;
   double mass = 0.0;                           // [kg]
-  for (int i = 0; i <= kSegment; ++i) {
+  for (int i = 0; i <= kCutSegment; ++i) {
     mass += rig.model.strand.mass[i];
     p.centre += rig.model.strand.mass[i] * rig.state.strand.position[i];
     p.speed += rig.model.strand.mass[i] * rig.state.strand.velocity[i];
@@ -114,7 +114,7 @@ TEST(Cutter, LeavesTwoPiecesThatNoLongerPullOnEachOther) {
       rig.step();
     }
     pulled[cut] = pulledFromItsFall(rig);
-    if (cut) { EXPECT_EQ(rig.state.threadContacts.cut[kSegment], 1); EXPECT_EQ(rig.state.strand.tension[kSegment], 0.0); }
+    if (cut) { EXPECT_EQ(rig.state.threadContacts.cut[kCutSegment], 1); EXPECT_EQ(rig.state.strand.tension[kCutSegment], 0.0); }
   }
   EXPECT_LT(pulled[1], 1e-6);                  // nothing but its own weight and the air moves it
   EXPECT_GT(pulled[0], 1e-3);                  // the needle, which is held, holds the whole thread
@@ -141,10 +141,10 @@ TEST(Cutter, JawsLetGoOfAnEndThatSlipsOutOfThem) {
   StepRig rig = closedOnThread(false, 2e-3);
   rig.step();
   State& s = rig.state;
-  ASSERT_GE(s.tools[kLeft].threadCoordinate, rig.model.strand.place[kSegment]);
-  s.threadContacts.cut[kSegment - 1] = 1;
-  for (int i = 0; i < kSegment; ++i) s.strand.position[i].z() -= 12.0;   // [m] on its way for a second and a half
-  const Vec3 away = (s.strand.position[kSegment] - s.strand.position[kSegment + 1]).normalized();
+  ASSERT_GE(s.tools[kLeft].threadCoordinate, rig.model.strand.place[kCutSegment]);
+  s.threadContacts.cut[kCutSegment - 1] = 1;
+  for (int i = 0; i < kCutSegment; ++i) s.strand.position[i].z() -= 12.0;   // [m] on its way for a second and a half
+  const Vec3 away = (s.strand.position[kCutSegment] - s.strand.position[kCutSegment + 1]).normalized();
   double most = 0.0;                           // [N]
   int steps = 0;
   for (; s.tools[kLeft].threadCoordinate >= 0.0 && steps < 4000; ++steps) {

@@ -4,12 +4,11 @@
 #include <cstdlib>
 #include <string>
 
+#include "sim/portable_math.h"
 #include "tests/sim/knot_rig.h"
 
 namespace halsted {
 namespace {
-
-constexpr double kPi = 3.14159265358979312;
 
 /// Two straight ends and `phi` of turn about the z axis with a little pitch, so that turns lie side by side.
 std::vector<Vec3> wrapped(double phi, double radius, double segment) {   // [rad], [m], [m]

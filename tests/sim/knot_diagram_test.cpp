@@ -3,14 +3,13 @@
 
 #include <random>
 
+#include "sim/portable_math.h"
 #include "sim/strand/knot_diagram.h"
 #include "sim/strand/tool_winding.h"
 #include "tests/sim/knot_tie.h"
 
 namespace halsted {
 namespace {
-
-constexpr double kPi = 3.14159265358979312;
 
 std::vector<Vec3> knot(std::vector<int> throws) { return LooseKnot(throws, {}).nodes(0.3e-3); }
 
@@ -21,7 +20,7 @@ std::ostream& operator<<(std::ostream& out, const Tied& t) { return out << t.not
 class KnotReadingOf : public testing::TestWithParam<Tied> {};
 
 /// Bends and shears everything smoothly, then turns it: no strand passes another.
-std::vector<Vec3> deformed(std::vector<Vec3> x, unsigned seed) {
+std::vector<Vec3> perturbed(std::vector<Vec3> x, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<> number(-1.0, 1.0);
   double drawn[6];                             // [1] one after the other: the order of a call's arguments is each compiler's own
@@ -47,7 +46,7 @@ TEST_P(KnotReadingOf, DoesNotDependOnBendingOrOnTheView) {
   unsigned right = 0;
   const std::vector<Vec3> tied = knot(GetParam().halfTwists);
   for (unsigned seed = 1; seed <= kSeeds; ++seed) {
-    const KnotReading r = readKnot(deformed(tied, seed));
+    const KnotReading r = readKnot(perturbed(tied, seed));
     right += surgicalNotation(r) == GetParam().notation ? 1 : 0;
     if (surgicalNotation(r) != GetParam().notation) std::printf("seed %u: %s\n", seed, surgicalNotation(r).c_str());
   }
@@ -67,7 +66,7 @@ TEST_P(KnotReadingOf, IsTheSameInAMirrorAndFromTheOtherEnd) {
 /// An invariant that knows nothing of throws agrees, on diagrams that are not reduced.
 TEST_P(KnotReadingOf, HasTheDeterminantOfItsThrows) {
   for (const Vec3& view : {Vec3(0.1, 0.2, 1.0), Vec3(1.0, 0.4, 0.3), Vec3(0.3, 1.0, 0.5)}) {
-    const KnotDiagram d = projectThread(straightened(deformed(knot(GetParam().halfTwists), 3)), view);
+    const KnotDiagram d = projectThread(straightened(perturbed(knot(GetParam().halfTwists), 3)), view);
     EXPECT_EQ(knotDeterminant(d), GetParam().determinant) << d.crossings() << " crossings";
   }
 }

@@ -8,7 +8,7 @@
 namespace halsted {
 namespace {
 
-constexpr int kNodes = 600;
+constexpr int kThreadNodes = 600;
 
 /// Thread that touches itself and lies as a test says.
 struct Watched {
@@ -23,14 +23,14 @@ struct Watched {
   static SimParams params() {
     SimParams p = wallParams();
     p.thread.knots = true;
-    p.thread.nodes = kNodes;
+    p.thread.nodes = kThreadNodes;
     p.thread.segmentLength = 0.3e-3;
     return p;
   }
   const KnotState& look(const std::vector<Vec3>& curve) {   // [m]
     rig.out = StepOutput{};
-    for (int i = 0; i < kNodes; ++i) {
-      const double at = i * (curve.size() - 1.0) / (kNodes - 1.0);   // [1]
+    for (int i = 0; i < kThreadNodes; ++i) {
+      const double at = i * (curve.size() - 1.0) / (kThreadNodes - 1.0);   // [1]
       const std::size_t k = std::min(static_cast<std::size_t>(at), curve.size() - 2);
       rig.state.strand.position[i] = curve[k] + (at - k) * (curve[k + 1] - curve[k]);
     }

@@ -8,7 +8,7 @@
 namespace halsted {
 namespace {
 
-constexpr double kHeight = 9.2e-3;             // [m] of the stitch above the foot
+constexpr double kStitchHeight = 9.2e-3;             // [m] of the stitch above the foot
 constexpr double kFalls = 9.81;                // [m/s^2]
 
 SimParams heavyWall() {
@@ -22,8 +22,8 @@ struct Threaded : ThreadedWall {
   Pose inTool;                                 // of the needle, as it was loaded
 
   explicit Threaded(const SimParams& p)
-      : ThreadedWall(frame(Vec3(-12.7e-3, 12.3e-3, kHeight) - 26e-3 / std::numbers::pi * Vec3::UnitZ(), Vec3::UnitZ(), -Vec3::UnitX()), p) {
-    thread({{-12.7e-3, 12.3e-3, kHeight}, {0.5, 12.3e-3, kHeight}});
+      : ThreadedWall(frame(Vec3(-12.7e-3, 12.3e-3, kStitchHeight) - 26e-3 / std::numbers::pi * Vec3::UnitZ(), Vec3::UnitZ(), -Vec3::UnitX()), p) {
+    thread({{-12.7e-3, 12.3e-3, kStitchHeight}, {0.5, 12.3e-3, kStitchHeight}});
     inTool = state.tools[kRight].needleInTool;
   }
   ToolSample& hand() { return input.tools[kRight]; }

@@ -8,13 +8,13 @@ namespace halsted {
 namespace {
 
 /// Closed jaws, shaft along +x, at the face x = 4 mm of the wall between mesh lines.
-Pose pressing(double gap) { return frame(Vec3(kWallX + 1.2e-3 + gap, 12e-3, 5e-3), Vec3::UnitY(), Vec3::UnitZ()); }   // [m] from the jaws' surface to the face
+Pose shaftAgainst(double gap) { return frame(Vec3(kWallX + 1.2e-3 + gap, 12e-3, 5e-3), Vec3::UnitY(), Vec3::UnitZ()); }   // [m] from the jaws' surface to the face
 
 struct Prodded : StepRig {
   int perforated = 0;                          // events
   double with = 0.0, hardest = 0.0;            // [N] of the last of them; on the tool in any step
 
-  explicit Prodded(double strength) : StepRig(params(strength), kNeedleAway, pressing(20e-3)) {   // [N]
+  explicit Prodded(double strength) : StepRig(params(strength), kNeedleAway, shaftAgainst(20e-3)) {   // [N]
     input.tools[kLeft].jaw = 0.0;
     run(2);                                    // closed where there is nothing to be held
     moveTo(1e-3);
@@ -28,7 +28,7 @@ struct Prodded : StepRig {
   /// Moves the hand straight on at 50 mm/s.
   void moveTo(double gap) {                    // [m]
     Vec3& hand = input.tools[kLeft].pose.position;
-    const double goal = pressing(gap).position.x();
+    const double goal = shaftAgainst(gap).position.x();
     while (hand.x() != goal) {
       const double way = goal - hand.x(), most = 5e-5;           // [m] a step
       hand.x() = way > most ? hand.x() + most : way < -most ? hand.x() - most : goal;
@@ -115,7 +115,7 @@ TEST(Perforation, WhatJawsSqueezeIsNotPushedThrough) {
 
 /// Jaws right through the wall, at rest; they have come in by the near face, or are known to both.
 struct Skewering : StepRig {
-  explicit Skewering(bool both) : StepRig(wallParams(), kNeedleAway, pressing(-12e-3)) {
+  explicit Skewering(bool both) : StepRig(wallParams(), kNeedleAway, shaftAgainst(-12e-3)) {
     ToolState& t = state.tools[kLeft];
     input.tools[kLeft].jaw = t.jaw = 0.0;
     t.closed = true;
@@ -146,7 +146,7 @@ TEST(Perforation, AToolThatIsInByOneFaceAndOutByAnotherIsThrough) {
 TEST(Perforation, TheToolFollowsItsHandNoFasterThanAHandMoves) {
   Prodded p(8.0);
   Vec3 last = p.tool().proxy.position;
-  const double goal = pressing(-20e-3).position.x();
+  const double goal = shaftAgainst(-20e-3).position.x();
   while (p.perforated == 0 || p.tool().lag.norm() > 0.0) {
     Vec3& hand = p.input.tools[kLeft].pose.position;
     if (hand.x() > goal) hand.x() -= 5e-5;

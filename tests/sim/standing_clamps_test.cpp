@@ -9,7 +9,7 @@
 namespace halsted {
 namespace {
 
-Pose straddling(double rise) { return {Vec3(0.5 * kWallX, 12e-3, kWallZ - 2e-3 + rise), Quat::Identity()}; }   // [m]
+Pose overTheEdge(double rise) { return {Vec3(0.5 * kWallX, 12e-3, kWallZ - 2e-3 + rise), Quat::Identity()}; }   // [m]
 
 SimParams clampParams(ToolKind left = ToolKind::kAllis) {
   SimParams p = wallParams();
@@ -33,14 +33,14 @@ template <class Rig> void offer(Rig& rig) {
 
 /// An Allis clamp on the wall's edge, drawn up by three millimetres.
 struct ClampedEdge : StepRig {
-  explicit ClampedEdge(const SimParams& p = clampParams()) : StepRig(p, kNeedleAway, straddling(0.0)) {
+  explicit ClampedEdge(const SimParams& p = clampParams()) : StepRig(p, kNeedleAway, overTheEdge(0.0)) {
     run(10);
     for (int k = 0; k < 100; ++k) { input.tools[kLeft].jaw = 1.0 - 7e-3 * k; step(); }
     lift(0.0, 3e-3);
     run(500);
   }
   void lift(double from, double to) {          // [m]
-    for (int k = 1; k <= 200; ++k) { input.tools[kLeft].pose = straddling(from + k / 200.0 * (to - from)); step(); }
+    for (int k = 1; k <= 200; ++k) { input.tools[kLeft].pose = overTheEdge(from + k / 200.0 * (to - from)); step(); }
   }
   const StandingClamp& clamp() const { return state.clamps->clamp[0]; }
 };
@@ -80,7 +80,7 @@ TEST(StandingClamps, LetNoToolTouchWhatLiesBetweenTheirJaws) {
   offer(rig);
   double most = 0.0;                           // [N] on the hand that draws its shut clamp out of the same place
   for (int k = 1; k <= 300; ++k) {
-    rig.input.tools[kLeft].pose = straddling(3e-3 + 1e-4 * k);
+    rig.input.tools[kLeft].pose = overTheEdge(3e-3 + 1e-4 * k);
     rig.step();
     most = std::max(most, rig.state.tools[kLeft].force.norm());
   }

@@ -7,12 +7,12 @@
 namespace halsted {
 namespace {
 
-constexpr int kNodes = 9;                      // short: even the tightest arc is no full circle and does not meet itself
+constexpr int kArcNodes = 9;                      // short: even the tightest arc is no full circle and does not meet itself
 
 /// An arc in the plane x y from the origin, at first along x.  [1/m], [m]
 std::vector<Vec3> arc(double curvature, double segment) {
   std::vector<Vec3> x{Vec3::Zero()};
-  for (int i = 0; i + 1 < kNodes; ++i) {
+  for (int i = 0; i + 1 < kArcNodes; ++i) {
     const double angle = curvature * segment * (i + 0.5);   // [rad]
     x.push_back(x.back() + segment * Vec3(std::cos(angle), std::sin(angle), 0.0));
   }
@@ -21,7 +21,7 @@ std::vector<Vec3> arc(double curvature, double segment) {
 
 /// In the middle of the thread.  [1/m]
 double curvatureOf(const std::vector<Vec3>& x) {
-  const Vec3 a = x[kNodes / 2] - x[kNodes / 2 - 1], b = x[kNodes / 2 + 1] - x[kNodes / 2];
+  const Vec3 a = x[kArcNodes / 2] - x[kArcNodes / 2 - 1], b = x[kArcNodes / 2 + 1] - x[kArcNodes / 2];
   return std::atan2(a.cross(b).norm(), a.dot(b)) / a.norm();
 }
 
@@ -54,7 +54,7 @@ TEST(ThreadBending, BelowItsYieldIsElastic) {
 TEST(ThreadBending, ASetTurnsWithTheThread) {
   Bent bent(2.0 * yieldCurvature());
   const std::vector<Vec3> set = bent.rig.contacts.set;
-  ASSERT_GT(set[kNodes / 2].norm(), 0.0);
+  ASSERT_GT(set[kArcNodes / 2].norm(), 0.0);
   const Quat turn(Eigen::AngleAxisd(0.8, Vec3::UnitZ()));   // in its plane, where the smallest rotation is the whole one
   std::vector<Vec3> turned = bent.rig.state.position;
   for (Vec3& x : turned) x = turn * x;

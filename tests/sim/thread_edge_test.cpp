@@ -12,23 +12,23 @@
 namespace halsted {
 namespace {
 
-constexpr double kSegment = 4.5e-3, kTight = 4.1e-3;   // [m] wider than the wall; as wide as the wall, not as it and the thread's radius on either side
-constexpr int kNodes = 14;
-constexpr double kDrawn = 0.4;                 // [N] at either end
-constexpr int kOver = kNodes / 2;              // the node behind the edge
+constexpr double kEdgeSegment = 4.5e-3, kTight = 4.1e-3;   // [m] wider than the wall; as wide as the wall, not as it and the thread's radius on either side
+constexpr int kEdgeNodes = 14;
+constexpr double kEndPull = 0.4;                 // [N] at either end
+constexpr int kOver = kEdgeNodes / 2;              // the node behind the edge
 
 /// Thread hangs over the wall's top edge like a rope over a beam, both ends in jaws.
 struct OverTheEdge : StepRig {
   explicit OverTheEdge(bool knots = true, double over = 0.5e-3) : StepRig(params(knots), kNeedleAway) {   // over [m] the edge, at first
     model.mesh.triangleLayer = wallFaces(model.mesh, model.surface);
-    for (int i = 0; i < kNodes; ++i) {
+    for (int i = 0; i < kEdgeNodes; ++i) {
       state.strand.position[i] = placeOf(i, over, model.params.thread.segmentLength);
       state.strand.nearVertex[i] = nearestVertex(model.surface, state.tissue.position, state.strand.position[i]);
     }
     state.strand.needle = KnotRig::needlePose(model.strand, state.strand.position);
     if (knots) {
       take(kLeft, 1);
-      take(kRight, kNodes - 2);
+      take(kRight, kEdgeNodes - 2);
     } else {
       letGo();
     }
@@ -37,7 +37,7 @@ struct OverTheEdge : StepRig {
   void draw(double seconds) {                  // [s]
     constexpr double kSpeed = 0.02, kFeel = 0.3;   // [m/s], [N]
     for (int k = 0; k < seconds / model.params.dt; ++k) {
-      const double lack = (kDrawn - felt()) / kFeel;   // [1]
+      const double lack = (kEndPull - felt()) / kFeel;   // [1]
       for (ToolSample& t : input.tools) t.pose.position.z() -= std::clamp(lack, -1.0, 1.0) * kSpeed * model.params.dt;
       step();
       deepest = std::max(deepest, depth());
@@ -49,7 +49,7 @@ struct OverTheEdge : StepRig {
   /// Below the surface, of the middle of a segment that goes from one side of the wall to the other.  [m]
   double depth() const {
     double most = -1.0;                        // [m]
-    for (int i = 1; i < kNodes; ++i) {
+    for (int i = 1; i < kEdgeNodes; ++i) {
       const Vec3 &a = state.strand.position[i - 1], &b = state.strand.position[i], middle = 0.5 * (a + b);
       if (a.x() > 0.0 || b.x() < kWallX) continue;
       int vertex = nearestVertex(model.surface, state.tissue.position, middle);
@@ -62,8 +62,8 @@ struct OverTheEdge : StepRig {
  private:
   static SimParams params(bool knots) {
     SimParams p = wallParams();
-    p.thread.nodes = kNodes;
-    p.thread.segmentLength = knots ? kSegment : kTight;
+    p.thread.nodes = kEdgeNodes;
+    p.thread.segmentLength = knots ? kEdgeSegment : kTight;
     p.thread.knots = knots;
     if (knots) p.contact.threadTissueFriction = 1.0;   // it does not slide over the edge
     return p;
@@ -96,7 +96,7 @@ TEST(ThreadOverAnEdge, DoesNotCutDownIntoTheWall) {
   OverTheEdge rig;
   rig.draw(1.0);
   std::printf("drawn with %.2f N: at most %.2f mm below the edge\n", rig.felt(), 1e3 * rig.deepest);
-  EXPECT_NEAR(rig.felt(), kDrawn, 0.1);
+  EXPECT_NEAR(rig.felt(), kEndPull, 0.1);
   EXPECT_LT(rig.deepest, 0.7e-3);
 }
 

@@ -9,7 +9,7 @@
 namespace halsted {
 namespace {
 
-constexpr double kHeight = 9.2e-3, kApart = 4e-3;   // [m] of the stitches above the foot; between bites
+constexpr double kBiteHeight = 9.2e-3, kApart = 4e-3;   // [m] of the stitches above the foot; between bites
 constexpr int kStitches = 4;
 
 SimParams fascia() {
@@ -21,18 +21,18 @@ SimParams fascia() {
 
 /// Bites through the wall with short runs outside, left and right in turn; the tail is held, the needle on the +x side is pulled.
 struct RunningStitch : ThreadedWall {
-  RunningStitch() : ThreadedWall(frame(Vec3(14.7e-3, kFirst, kHeight) - 26e-3 / std::numbers::pi * Vec3::UnitZ(), Vec3::UnitZ(), Vec3::UnitX()), fascia()) {
-    std::vector<Vec3> path{{14.7e-3, kFirst, kHeight}};
+  RunningStitch() : ThreadedWall(frame(Vec3(14.7e-3, kFirst, kBiteHeight) - 26e-3 / std::numbers::pi * Vec3::UnitZ(), Vec3::UnitZ(), Vec3::UnitX()), fascia()) {
+    std::vector<Vec3> path{{14.7e-3, kFirst, kBiteHeight}};
     double side = -1.0;                        // [1]
     for (int bite = 0; bite + 1 < kStitches; ++bite) {
       const double y = kFirst - kApart * bite, x = side < 0.0 ? -0.7e-3 : kWallX + 0.7e-3;   // [m]
       for (int i = 0; i <= 90; ++i) {
         const double a = i * std::numbers::pi / 90.0;   // [rad]
-        path.emplace_back(x + side * 0.5 * kApart * std::sin(a), y - 0.5 * kApart * (1.0 - std::cos(a)), kHeight);
+        path.emplace_back(x + side * 0.5 * kApart * std::sin(a), y - 0.5 * kApart * (1.0 - std::cos(a)), kBiteHeight);
       }
       side = -side;
     }
-    path.emplace_back(side * 0.5, kFirst - kApart * (kStitches - 1), kHeight);
+    path.emplace_back(side * 0.5, kFirst - kApart * (kStitches - 1), kBiteHeight);
     thread(path);
     holdTail();
   }

@@ -62,7 +62,7 @@ void writeSession(const std::string& path, int steps, bool close = true) {
   if (close) writer.close();
 }
 
-std::string refusal(const std::string& path) {
+std::string fileRefusal(const std::string& path) {
   try {
     SessionReader reader(path);
     StepInput input;
@@ -74,7 +74,7 @@ std::string refusal(const std::string& path) {
   return "accepted";
 }
 
-void alter(const std::string& path, const std::string& sql) { Database(path, Database::Mode::kRead).execute(sql); }
+void alterFile(const std::string& path, const std::string& sql) { Database(path, Database::Mode::kRead).execute(sql); }
 
 TEST(StepCodec, KeepsEveryBit) {
   for (int i = 0; i < 50; ++i) {
@@ -147,10 +147,10 @@ TEST(SessionFile, IsNotClosedProperlyWhereItsLastStepsAreGone) {
   const std::string path = folder.file("a.halsted");
   for (const char* damage : {"DELETE FROM chunk WHERE first_step>0", "DELETE FROM chunk", "UPDATE meta SET value='0' WHERE key='state_hash'"}) {
     writeSession(path, 8000);
-    alter(path, "INSERT INTO chunk SELECT 8000, 1, substr(inputs, 1, length(inputs)/count), X'2a00000000000000' FROM chunk WHERE first_step=0");
-    alter(path, "UPDATE meta SET value='000000000000002a' WHERE key='state_hash'");
+    alterFile(path, "INSERT INTO chunk SELECT 8000, 1, substr(inputs, 1, length(inputs)/count), X'2a00000000000000' FROM chunk WHERE first_step=0");
+    alterFile(path, "UPDATE meta SET value='000000000000002a' WHERE key='state_hash'");
     ASSERT_TRUE(SessionReader(path).closedProperly());
-    alter(path, damage);
+    alterFile(path, damage);
     EXPECT_FALSE(SessionReader(path).closedProperly()) << damage;
   }
 }
@@ -201,21 +201,21 @@ TEST(SessionFile, ReplacesAnEarlierSessionButNothingElse) {
 
 TEST(SessionFile, RefusesAMissingForeignOrEmptyFile) {
   const TemporaryFolder folder;
-  EXPECT_THAT(refusal(folder.file("none.halsted")), HasSubstr("no such file"));
-  EXPECT_THAT(refusal(folder.path()), HasSubstr("not a file"));
+  EXPECT_THAT(fileRefusal(folder.file("none.halsted")), HasSubstr("no such file"));
+  EXPECT_THAT(fileRefusal(folder.path()), HasSubstr("not a file"));
   halsted::testing::writeText(folder.file("text.halsted"), std::string(5000, 'x'));
-  EXPECT_THAT(refusal(folder.file("text.halsted")), HasSubstr("not a Halsted session"));
+  EXPECT_THAT(fileRefusal(folder.file("text.halsted")), HasSubstr("not a Halsted session"));
   halsted::testing::writeText(folder.file("empty.halsted"), "");
-  EXPECT_THAT(refusal(folder.file("empty.halsted")), HasSubstr("not a Halsted session"));
+  EXPECT_THAT(fileRefusal(folder.file("empty.halsted")), HasSubstr("not a Halsted session"));
   Database(folder.file("other.halsted"), Database::Mode::kCreate).execute("CREATE TABLE t(x); INSERT INTO t VALUES(1)");
-  EXPECT_THAT(refusal(folder.file("other.halsted")), HasSubstr("not a Halsted session"));
+  EXPECT_THAT(fileRefusal(folder.file("other.halsted")), HasSubstr("not a Halsted session"));
 }
 
 TEST(SessionFile, RefusesANewerFormatByName) {
   const TemporaryFolder folder;
   writeSession(folder.file("a.halsted"), 3);
-  alter(folder.file("a.halsted"), "PRAGMA user_version=99");
-  EXPECT_THAT(refusal(folder.file("a.halsted")), AllOf(HasSubstr("newer"), HasSubstr("99")));
+  alterFile(folder.file("a.halsted"), "PRAGMA user_version=99");
+  EXPECT_THAT(fileRefusal(folder.file("a.halsted")), AllOf(HasSubstr("newer"), HasSubstr("99")));
 }
 
 TEST(SessionFile, RefusesEveryTruncation) {
@@ -226,7 +226,7 @@ TEST(SessionFile, RefusesEveryTruncation) {
   ASSERT_GT(whole.size(), 60'000u);
   for (std::size_t keep = 100; keep < whole.size(); keep += whole.size() / 23) {
     halsted::testing::writeText(path, whole.substr(0, keep));
-    const std::string message = refusal(path);
+    const std::string message = fileRefusal(path);
     EXPECT_THAT(message, AllOf(HasSubstr(path), Not(HasSubstr("\n")))) << keep << " of " << whole.size();
   }
 }
@@ -239,8 +239,8 @@ TEST(SessionFile, RefusesViewsAndTriggers) {
                                "DROP TABLE chunk; CREATE VIEW chunk AS WITH RECURSIVE n(first_step) AS (SELECT 0 UNION ALL SELECT first_step FROM n) "
                                "SELECT first_step, 1 AS count, '' AS inputs, '' AS hashes FROM n"}) {
     writeSession(path, 3);
-    alter(path, addition);
-    EXPECT_THAT(refusal(path), HasSubstr("not a Halsted session: it holds more than tables")) << addition;
+    alterFile(path, addition);
+    EXPECT_THAT(fileRefusal(path), HasSubstr("not a Halsted session: it holds more than tables")) << addition;
   }
 }
 
@@ -264,8 +264,8 @@ TEST(SessionFile, RefusesDamagedTables) {
   for (const auto& [sql, expected] : damage) {
     const TemporaryFolder folder;
     writeSession(folder.file("a.halsted"), 30);
-    alter(folder.file("a.halsted"), sql);
-    EXPECT_THAT(refusal(folder.file("a.halsted")), HasSubstr(expected)) << sql;
+    alterFile(folder.file("a.halsted"), sql);
+    EXPECT_THAT(fileRefusal(folder.file("a.halsted")), HasSubstr(expected)) << sql;
   }
 }
 

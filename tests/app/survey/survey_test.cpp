@@ -36,7 +36,7 @@ std::string csvOfAll() {
   for (int s = 0; s < 5; ++s)
     for (int r = 0; r < 16; ++r) {
       text += std::string(kSystems[s]) + ",doctor " + std::to_string(r);
-      for (int j = 0; j < 7; ++j) text += "," + std::to_string(synthetic(s, r, j));
+      for (int j = 0; j < 7; ++j) (text += ",") += std::to_string(synthetic(s, r, j));
       text += "\n";
     }
   return text;

@@ -22,7 +22,7 @@ using ::testing::HasSubstr;
 std::string sceneFolder() { return halsted::testing::sourceFolder() + "/scenes/acupuncture"; }
 SceneFile scene(const std::vector<std::string>& overrides = {}) { return readScene(sceneFolder(), overrides); }
 
-Model modelOf(const SceneFile& file) { return buildModel(file.params, buildAnatomy(file), file.procedure); }
+Model bodyModel(const SceneFile& file) { return buildModel(file.params, buildAnatomy(file), file.procedure); }
 
 std::string refusal(const std::function<void()>& act) {
   try { act(); } catch (const InputError& error) { return error.what(); }
@@ -31,7 +31,7 @@ std::string refusal(const std::function<void()>& act) {
 
 TEST(AcupunctureScene, PutsTheTargetAtTheOriginFacingUp) {
   for (const char* point : {"P90", "P45"}) {
-    const Model m = modelOf(scene({std::string("anatomy.point=") + point}));
+    const Model m = bodyModel(scene({std::string("anatomy.point=") + point}));
     EXPECT_EQ(m.body->targetPoint().id, point);
     EXPECT_LT(m.body->targetPlace().position.norm(), 1e-9);
     EXPECT_LT((m.body->targetPlace().normal - Vec3::UnitY()).norm(), 1e-9);
@@ -41,7 +41,7 @@ TEST(AcupunctureScene, PutsTheTargetAtTheOriginFacingUp) {
 }
 
 TEST(AcupunctureScene, PointsOfTheSlabAreWhereTheirCunSay) {
-  const Model m = modelOf(scene());
+  const Model m = bodyModel(scene());
   const auto place = [&](int i) { return m.body->places[i].position; };
   EXPECT_NEAR(place(1).x(), 0.8 * 25e-3, 0.1e-3);      // toward the foot: the surgeon's right
   EXPECT_NEAR(place(2).x(), -0.8 * 25e-3, 0.1e-3);
@@ -102,7 +102,7 @@ TEST(BodyTable, EveryShippedPointHasItsSource) {
 }
 
 TEST(NeedlingExpert, RefusesWhatTheSceneCannotDo) {
-  const Model m = modelOf(scene());
+  const Model m = bodyModel(scene());
   const auto said = [&](const std::string& action) { return refusal([&] { beginExpert(parseExpert("scene = \"acupuncture\"\n[[action]]\n" + action, "e.toml"), m); }); };
   EXPECT_THAT(said("do = \"bite\""), HasSubstr("'bite' is not done in a scene of this kind"));
   EXPECT_THAT(said("do = \"insert\"\npoint = \"LU7\""), HasSubstr("no point 'LU7'"));
@@ -114,7 +114,7 @@ TEST(NeedlingExpert, RefusesWhatTheSceneCannotDo) {
 
 TEST(RealBodies, PointsOfTheTorsoLieOnItsFront) {
   if (dataFolder().empty()) GTEST_SKIP() << "HALSTED_DATA is not set";
-  const Model m = modelOf(scene({"anatomy.body=torso", "anatomy.point=CV12"}));
+  const Model m = bodyModel(scene({"anatomy.body=torso", "anatomy.point=CV12"}));
   const BodyModel& b = *m.body;
   for (const SurfaceFrame& place : b.places) EXPECT_GT(place.normal.y(), 0.6);       // faces up beside the target
   const auto along = [&](int i) { return b.places[i].position.x(); };                 // toward the feet
@@ -124,7 +124,7 @@ TEST(RealBodies, PointsOfTheTorsoLieOnItsFront) {
 
 TEST(RealBodies, PointsOfTheLegLieRoundIt) {
   if (dataFolder().empty()) GTEST_SKIP() << "HALSTED_DATA is not set";
-  const Model m = modelOf(scene({"anatomy.body=leg"}));
+  const Model m = bodyModel(scene({"anatomy.body=leg"}));
   const BodyModel& b = *m.body;
   EXPECT_NEAR((b.places[2].position - b.places[0].position).x(), 0.26, 0.05);         // SP6, 10 cun below ST36
   EXPECT_LT(b.places[2].normal.dot(b.places[1].normal), 0.0);                         // SP6 medial, GB34 lateral

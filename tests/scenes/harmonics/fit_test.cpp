@@ -47,7 +47,7 @@ double y43(const Vec3& u) {                    // [1]
   return values[harmonicIndex(4, 3)];
 }
 
-std::string refusal(const std::function<void()>& act) {
+std::string fitRefusal(const std::function<void()>& act) {
   try { act(); } catch (const InputError& error) { return error.what(); }
   return "nothing refused";
 }
@@ -104,7 +104,7 @@ TEST(HarmonicFit, ConditionIsNearOneForEvenSamplesAndGrowsWithAGap) {
   const double good = fitHarmonics(even, 10, "even").report.condition, bad = fitHarmonics(gap, 10, "gap").report.condition;   // [1]
   EXPECT_LT(good, 1.2);
   EXPECT_GT(bad, 10.0 * good);
-  EXPECT_THAT(refusal([&] { fitHarmonics(half, 20, "half"); }), HasSubstr("half: order 20 is too high"));
+  EXPECT_THAT(fitRefusal([&] { fitHarmonics(half, 20, "half"); }), HasSubstr("half: order 20 is too high"));
 }
 
 TEST(SphereMap, LaysAnEllipsoidEvenlyAndOneToOne) {
@@ -128,14 +128,14 @@ TEST(SphereMap, TurnsAnInsideOutSurface) {
 TEST(HarmonicFit, RefusesWhatIsNotLikeASphereInOneLine) {
   const Surface sphere = superellipsoid({Vec3(0.1, 0.1, 0.1), 2.0, 6});
   const Surface open = halsted::testing::without(sphere, [](const Vec3& p) { return p.z() > 0.08; });
-  EXPECT_THAT(refusal([&] { fitSurface(open, 3, "skin.obj"); }), HasSubstr("skin.obj: the surface is open"));
+  EXPECT_THAT(fitRefusal([&] { fitSurface(open, 3, "skin.obj"); }), HasSubstr("skin.obj: the surface is open"));
   Surface two = sphere;                        // two spheres
   for (const Vec3& p : sphere.vertices) two.vertices.push_back(p + Vec3(1, 0, 0));
   for (const auto& t : sphere.triangles) {
     const int n = static_cast<int>(sphere.vertices.size());
     two.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
   }
-  EXPECT_THAT(refusal([&] { fitSurface(two, 3, "skin.obj"); }), HasSubstr("2 pieces"));
+  EXPECT_THAT(fitRefusal([&] { fitSurface(two, 3, "skin.obj"); }), HasSubstr("2 pieces"));
   Surface torus;                               // one handle
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j < 8; ++j) {
@@ -144,9 +144,9 @@ TEST(HarmonicFit, RefusesWhatIsNotLikeASphereInOneLine) {
       const int here = 8 * i + j, up = 8 * i + (j + 1) % 8, right = 8 * ((i + 1) % 12) + j, both = 8 * ((i + 1) % 12) + (j + 1) % 8;
       torus.triangles.insert(torus.triangles.end(), {{here, right, both}, {here, both, up}});
     }
-  EXPECT_THAT(refusal([&] { fitSurface(torus, 3, "ring.obj"); }), HasSubstr("1 handles"));
-  EXPECT_THAT(refusal([&] { fitSurface(superellipsoid({Vec3(0.1, 0.1, 0.1), 2.0, 4}), 30, "few.obj"); }), HasSubstr("needs at least 1922 samples"));
-  EXPECT_THAT(refusal([&] { fitSurface(sphere, 99, "s.obj"); }), HasSubstr("outside 1 to"));
+  EXPECT_THAT(fitRefusal([&] { fitSurface(torus, 3, "ring.obj"); }), HasSubstr("1 handles"));
+  EXPECT_THAT(fitRefusal([&] { fitSurface(superellipsoid({Vec3(0.1, 0.1, 0.1), 2.0, 4}), 30, "few.obj"); }), HasSubstr("needs at least 1922 samples"));
+  EXPECT_THAT(fitRefusal([&] { fitSurface(sphere, 99, "s.obj"); }), HasSubstr("outside 1 to"));
 }
 
 TEST(Layers, LieAtTheirDepthAndRefuseToFold) {
@@ -158,8 +158,8 @@ TEST(Layers, LieAtTheirDepthAndRefuseToFold) {
     EXPECT_NEAR((positionAt(nested[1], u) - top.position).dot(-top.normal), 0.8e-3, 0.05e-3);
     EXPECT_NEAR((positionAt(nested[2], u) - top.position).dot(-top.normal), 9.2e-3, 0.5e-3);
   }
-  EXPECT_THAT(refusal([&] { nestedSurfaces(skin, {0.0, 2e-3, 1e-3}, "slab"); }), HasSubstr("negative thickness"));
-  EXPECT_THAT(refusal([&] { nestedSurfaces(skin, {0.0, 0.2}, "slab"); }), HasSubstr("folds"));
+  EXPECT_THAT(fitRefusal([&] { nestedSurfaces(skin, {0.0, 2e-3, 1e-3}, "slab"); }), HasSubstr("negative thickness"));
+  EXPECT_THAT(fitRefusal([&] { nestedSurfaces(skin, {0.0, 0.2}, "slab"); }), HasSubstr("folds"));
 }
 
 Surface dataSurface(const std::string& file, double scale) {   // scale [m per unit]
@@ -183,7 +183,7 @@ TEST(RealSkin, LowerLegCutFromABodyFitsToAThirdOfAMillimetre) {
   EXPECT_LT(fit.report.rms, 0.35e-3);
   EXPECT_LT(fit.report.condition, 2.0);
   EXPECT_EQ(fit.report.flipped, 0);
-  EXPECT_THAT(refusal([&] { cutRegion(body, {{Vec3(0, 5, 0), Vec3(0, 1, 0)}}, Vec3::Zero(), "leg"); }), HasSubstr("leave nothing"));
+  EXPECT_THAT(fitRefusal([&] { cutRegion(body, {{Vec3(0, 5, 0), Vec3(0, 1, 0)}}, Vec3::Zero(), "leg"); }), HasSubstr("leave nothing"));
 }
 
 }  // namespace

@@ -5,11 +5,10 @@
 #include <complex>
 
 #include "sim/harmonics/basis.h"
+#include "sim/portable_math.h"
 
 namespace halsted {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;  // [1]
 
 struct Rule { std::vector<double> node, weight; };   // [1]
 

@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "sim/harmonics/surface.h"
+#include "sim/portable_math.h"
 
 namespace halsted {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;  // [1]
 
 /// x = a X, y = b Y, z = c Z of a unit vector: first-order harmonics only (law S3).
 HarmonicSurface ellipsoid(const Vec3& axes, int order = 1) {   // axes [m]
