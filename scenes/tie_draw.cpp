@@ -45,10 +45,11 @@ Vec3 drawWay(const Scene& s) {
   return cosine(turned) * s.memory.knot.side + sine(turned) * s.memory.knot.handle;
 }
 
-/// A long end's hand whose device has come to its stop aslant goes on from there straight across: the tail drawn for it would come out of its throw.
+/// A long end's hand whose device has come to its stop aslant turns there and goes on straight across, or the tail, drawn in its place, would come
+/// through both walls; false where it goes straight already.
 bool goesStraight(const Scene& s) {
   KnotPlan& k = s.memory.knot;
-  if (s.action.drawDegrees == 0.0 || k.longWay == Vec3(-k.side)) return false;
+  if (k.longWay == Vec3(-k.side)) return false;
   s.memory.goal[kLeft].position = s.state.tools[kLeft].proxy.position;
   k.longWay = -k.side;
   k.drawn[kLeft] = 0.0;

@@ -33,9 +33,11 @@ double finelyKnotted(const StrandModel& strand, const ThreadContactState& contac
   return all > 0.0 ? fine / all : 0.0;
 }
 
-/// Not yet in the other scenes: 0.5 mm (README).
-TEST(FrictionPreset, OfStayRefinesThreadForKnotsOfItsOwnSize) {
-  const Scenario scenario = scenarioFromFile(testing::sourceFolder() + "/scenes/stay/expert.toml", {"preset=friction"});
+/// Not yet in lembert: 0.5 mm (README).
+class FrictionPreset : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(FrictionPreset, RefinesThreadForKnotsOfItsOwnSize) {
+  const Scenario scenario = scenarioFromFile(testing::sourceFolder() + "/scenes/" + GetParam() + "/expert.toml", {"preset=friction"});
   const StrandModel& strand = scenario.model.strand;
   double fine = 0.0;                           // [m] of thread
   for (int i = 0; i + 1 < strand.nodes; ++i) {
@@ -45,6 +47,8 @@ TEST(FrictionPreset, OfStayRefinesThreadForKnotsOfItsOwnSize) {
   }
   EXPECT_GT(fine, 60e-3);                      // tail, bites and the long end's side of the knot
 }
+
+INSTANTIATE_TEST_SUITE_P(Scenes, FrictionPreset, ::testing::Values("stay", "connell", "altemeier"), [](const auto& scene) { return std::string(scene.param); });
 
 class SlowFriction : public ::testing::TestWithParam<Sewn> {};
 
