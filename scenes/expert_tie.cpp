@@ -3,6 +3,8 @@
 /// the tissue. (Wound about a driver that stands upright, thread only twists like a rubber band, and comes undone.) The driver opens,
 /// takes the short tail, closes and draws it back through the loop; both ends are drawn apart, the long end toward the tail's side. The
 /// next throw is wound from there, the other way round for a square knot, so that the hands change sides with every throw.
+#include <algorithm>
+
 #include "scenes/stitch_frame.h"
 #include "scenes/tie_phases.h"
 #include "scenes/tie_places.h"
@@ -48,14 +50,24 @@ bool wantsDrawing(const Scene& s) {
   return wallsCameApart(s) || (hangs > 0.0 && hangs < before - kGain);
 }
 
+bool readInFull(const KnotState& seen) { return seen.watched && seen.complete && seen.crossingsLeft == 0; }
+
+/// What comes undone while this throw is wound did not lie before it.
+void seeUndone(const Scene& s) {
+  const KnotState& seen = s.state.knot;
+  if (!readInFull(seen)) return;
+  s.memory.knot.throwsBefore = std::min(s.memory.knot.throwsBefore, seen.throws);
+  s.memory.knot.turnsBefore = std::min(s.memory.knot.turnsBefore, turns(seen));
+}
+
 /// Looks at the throw that is drawn, as long as it takes to let go of it: thread that lies over a knot hides it at times. What was seen before
 /// it was drawn does not count.
 void lookAtThrow(const Scene& s) {
   if (s.memory.phase == kDrawTight && s.inPhase < kKnotInterval) return;
   KnotPlan& k = s.memory.knot;
   const KnotState& seen = s.state.knot;
-  k.looked = k.looked || (seen.watched && seen.complete && seen.crossingsLeft == 0);
-  k.came = k.came || seen.throws > k.throwsBefore || turns(seen) > k.turnsBefore;
+  if (!readInFull(seen)) return;
+  ++(seen.throws > k.throwsBefore || turns(seen) > k.turnsBefore ? k.stepsMore : k.stepsSame);
 }
 
 /// A throw that did not come is wound once more, from the side where it was begun. One that wants it is drawn again; else the next one
@@ -106,6 +118,7 @@ bool fetchOrLeave(const Scene& s, std::string& failure) {
 bool runTie(const Scene& s, std::string& failure) {
   ExpertState& e = s.memory;
   if (e.phase != kLook && s.state.strand.holeCount < 2) { failure = "the thread has left the tissue"; return false; }
+  if (e.phase > kLiftLong && e.phase < kCross) seeUndone(s);
   if (e.phase >= kDrawTight && e.phase <= kLetTail) lookAtThrow(s);
   if (e.phase == kLook) begin(s, failure);
   else if (e.phase < kLiftIt) takeNearer(s);

@@ -33,7 +33,7 @@ struct KnotPlan {
   double hung = 1.0;                           // [m] of that as this throw's loop was last seen to hang: farther than any can
   double tailOut = 0.0;                        // [m] coordinate at which the tail left the throws that lay as it was taken; with none, its hole
   int throwsBefore = 0, turnsBefore = 0;       // what was tied as this throw was begun
-  bool looked = false, came = false;           // since it is drawn: the knot has been read in full; it has shown more than before
+  int stepsMore = 0, stepsSame = 0;            // since it is drawn, with the knot read in full: it shows more than before, or no more
   bool loose = false;                          // as this one was begun, nothing locked the throw below it: later its own loop, still wide, may be read as a lock
   int redrawn = 0;                             // how often a throw has been drawn again, as its loop hung
   int misses = 0;                              // of the tail, or of a loop that clings or slides off, in this throw
@@ -43,7 +43,8 @@ struct KnotPlan {
   double settled = 0.0;                        // [s]
 };
 
-/// The loop has come off beside the tail: what is tied, seen in full, is what was tied before.
-inline bool noThrowCame(const KnotPlan& k) { return k.looked && !k.came; }
+/// The loop has come off beside the tail: what is tied, seen in full, is what was tied before. For most of the time, as a tail that lies across its
+/// throw may read as half a turn more for a look.
+inline bool noThrowCame(const KnotPlan& k) { return k.stepsSame > k.stepsMore; }
 
 }  // namespace halsted::scenes

@@ -104,7 +104,7 @@ void wind(const Scene& s) {
       k.loose = k.current > 0 && locks(s.state.knot) == 0;
       k.throwsBefore = s.state.knot.throws;
       k.turnsBefore = turns(s.state.knot);
-      k.looked = k.came = false;
+      k.stepsMore = k.stepsSame = 0;
       k.felt = {};
     }
     giveWay(s, kTight);

@@ -30,9 +30,12 @@ bool crossPieces(const std::vector<Vec3>& seen, int i, int j, SeenVisit& first, 
   return true;
 }
 
+/// Does the thread come back to the crossing at position i with none between?
+bool returnsAtOnce(const KnotDiagram& d, std::size_t i) { return i + 1 < d.code.size() && d.code[i].crossing == d.code[i + 1].crossing; }
+
 bool loopMove(KnotDiagram& d) {
   for (std::size_t i = 0; i + 1 < d.code.size(); ++i) {
-    if (d.code[i].crossing != d.code[i + 1].crossing) continue;
+    if (!returnsAtOnce(d, i)) continue;
     d.code.erase(d.code.begin() + i, d.code.begin() + i + 2);
     return true;
   }
@@ -131,6 +134,30 @@ void reduceDiagram(KnotDiagram& d) {
   while (loopMove(d) || pairMove(d)) {}
 }
 
+KnotReading takeThrows(KnotDiagram& d) {
+  KnotReading reading;
+  int where = -1;                              // position at which the last throw was taken out
+  reading.complete = true;
+  for (int i = 0; i < static_cast<int>(d.code.size());) {
+    if (returnsAtOnce(d, i)) {                 // round throws that are taken out: the ends lay across each other
+      d.code.erase(d.code.begin() + i, d.code.begin() + i + 2);
+      if (where > i) where = std::max(i, where - 2);
+      i = 0;
+      continue;
+    }
+    const int n = throwAt(d, i);
+    if (n == 0 || !reading.throws.add({(n - 1) / 2, d.sign[d.code[i].crossing]})) { ++i; continue; }
+    // The next throw of the same loop encloses the last: it begins before the place and ends after it.
+    if (where >= 0 && !(i < where && where < i + 2 * n)) reading.complete = false;
+    d.code.erase(d.code.begin() + i, d.code.begin() + i + 2 * n);
+    where = i;
+    i = 0;
+  }
+  reading.crossingsLeft = d.crossings();
+  reading.complete = reading.complete && reading.crossingsLeft == 0;
+  return reading;
+}
+
 KnotReader::KnotReader(int nodes) {
   const int most = 2 * nodes + 2;              // two points of the curve for every node, and both ends led away
   straight_.reserve(most);
@@ -148,30 +175,11 @@ bool KnotReader::project(const Vec3& direction) {   // [1]
   return true;
 }
 
-KnotReading KnotReader::takeThrows() {
-  KnotReading reading;
-  KnotDiagram& d = diagram_;
-  int where = -1;                              // position at which the last throw was taken out
-  reading.complete = true;
-  for (int i = 0; i < static_cast<int>(d.code.size());) {
-    const int n = throwAt(d, i);
-    if (n == 0 || !reading.throws.add({(n - 1) / 2, d.sign[d.code[i].crossing]})) { ++i; continue; }
-    // The next throw of the same loop encloses the last: it begins before the place and ends after it.
-    if (where >= 0 && !(i < where && where < i + 2 * n)) reading.complete = false;
-    d.code.erase(d.code.begin() + i, d.code.begin() + i + 2 * n);
-    where = i;
-    i = 0;
-  }
-  reading.crossingsLeft = d.crossings();
-  reading.complete = reading.complete && reading.crossingsLeft == 0;
-  return reading;
-}
-
 void KnotReader::lookFrom(int views, KnotReading& best, int& fewest) {
   for (int n = 0; n < views && !(n >= kFirstViews && best.complete); ++n) {
     if (!project(viewDirection(n))) continue;
     const int crossings = diagram_.crossings();
-    const KnotReading reading = takeThrows();
+    const KnotReading reading = takeThrows(diagram_);
     const bool better = reading.complete != best.complete ? reading.complete : crossings < fewest;
     if (better) { best = reading; fewest = crossings; }
     if (crossings == 0) return;

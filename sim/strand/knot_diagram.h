@@ -55,6 +55,9 @@ KnotDiagram projectThread(std::span<const Vec3> curve, const Vec3& direction);  
 /// Reidemeister's moves one and two, until none is left.
 void reduceDiagram(KnotDiagram&);
 
+/// Takes the throws out of a reduced diagram, innermost first, and each crossing that went round nothing else; leaves what belongs to none.
+KnotReading takeThrows(KnotDiagram&);
+
 /// |Alexander polynomial at -1| of the thread closed far away: 3 for a throw, 9 for square and granny, 5 for a double throw. 0 when a
 /// diagram of more than 60 crossings is refused.
 long long knotDeterminant(const KnotDiagram&);
@@ -81,7 +84,6 @@ class KnotReader {
   void drawIn();                               // moves corners of what is straightened
   void lookFrom(int views, KnotReading& best, int& fewest);
   bool project(const Vec3& direction);         // [1] false: more crossings than fit
-  KnotReading takeThrows();
 
   std::vector<Vec3> straight_, seen_;          // [m]
   std::vector<Visit> visits_;

@@ -131,6 +131,23 @@ TEST_F(Drawing, LaterThrowsTakeTheTailNearerToItsEnd) {
   EXPECT_LT(scenes::tailPlace(scene), 6e-3);
 }
 
+/// In `lembert` a double throw came undone as the next was wound; what came of that was held against it, and wound once more from the same side.
+TEST_F(Drawing, AThrowThatComesOverOneThatCameUndoneIsNotMissed) {
+  runToSecond(scenes::kFollow);
+  const KnotState one = w.state.knot;
+  ASSERT_EQ(one.throws, 1);
+  w.state.knot.throws = 0;
+  w.state.knot.turns = {};
+  ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+  runTo(scenes::kDrawTight);
+  for (int k = 0; k < 40000 && memory->phase == scenes::kDrawTight; ++k) {   // the surgeon sees one throw again
+    w.state.knot = one;
+    ASSERT_TRUE(w.advance(script, *memory)) << w.failure;
+  }
+  EXPECT_GT(memory->knot.stepsMore, 0);
+  EXPECT_FALSE(scenes::noThrowCame(memory->knot));
+}
+
 /// In `connell` a loop came off beside the tail: the surgeon wound the next throw from the other side, over the first one, for a granny.
 TEST_F(Drawing, AThrowThatDidNotComeIsWoundOnceMoreFromItsSide) {
   runToSecond(scenes::kFollow);

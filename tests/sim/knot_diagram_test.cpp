@@ -93,6 +93,31 @@ TEST(KnotReading, TwoKnotsOnOneThreadAreNotOneKnot) {
   EXPECT_FALSE(r.complete);
 }
 
+/// A double throw, seen with the ends across each other: neither move takes their crossing out while the throw is inside it. In `lembert` the throw so
+/// seen did not count as read, a next one that had not come was not missed, and the one after it was wound for a granny.
+KnotDiagram doubleThrowWithEndsAcross(int sign, bool over) {   // [1] of the ends' crossing
+  KnotDiagram d;
+  d.sign = {sign, 1, 1, 1, 1, 1};
+  d.code.push_back({0, over});
+  for (const bool back : {false, true})
+    for (int c = 1; c <= 5; ++c) d.code.push_back({c, (c % 2 == 0) == back});
+  d.code.push_back({0, !over});
+  return d;
+}
+
+TEST(KnotReading, EndsAcrossEachOtherBelongToNoThrowAndHideNone) {
+  for (const int sign : {-1, 1})
+    for (const bool over : {false, true}) {
+      KnotDiagram d = doubleThrowWithEndsAcross(sign, over);
+      EXPECT_EQ(knotDeterminant(d), 5);
+      reduceDiagram(d);
+      EXPECT_EQ(d.crossings(), 6);
+      const KnotReading r = takeThrows(d);
+      EXPECT_TRUE(r.complete);
+      EXPECT_EQ(surgicalNotation(r), "2");
+    }
+}
+
 /// Wound thread that crosses its last turn at the end of each.
 std::vector<Vec3> helix(int turns, double pitch) {   // [1], [m per turn]
   constexpr double kBeyond = 0.4;              // [rad]
