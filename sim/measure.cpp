@@ -46,9 +46,10 @@ bool crossesOpening(std::span<const int> rim, std::span<const Vec3> x, const Vec
   return middle.norm() < kAcross * rimRadius(rim, x);
 }
 
-/// The entry of the bite that ends in this exit; the tip may have gone in elsewhere since.
+/// The entry of the bite that ends in this exit, one of the strand's holes; the tip may have gone in elsewhere since. It lies before it, with fifty bites
+/// in the tissue mostly just before.
 const Hole& entryOf(const StrandState& s, const Hole& exit) {
-  for (int i = 0; i < s.holeCount; ++i)
+  for (int i = static_cast<int>(&exit - s.holes.data()); i >= 0; --i)
     if (s.holes[i].bite == exit.bite && s.holes[i].role == static_cast<std::int32_t>(HoleRole::kEntry)) return s.holes[i];
   return exit;
 }

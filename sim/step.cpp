@@ -1,5 +1,7 @@
 #include "sim/step.h"
 
+#include <algorithm>
+
 #include "sim/contact/tissue_contact.h"
 #include "sim/cutting/burn.h"
 #include "sim/measure.h"
@@ -110,9 +112,7 @@ void stepStrand(const Model& m, KnottingMotion motion, State& s, StepOutput& out
 
 /// Moves the tissue by its answer to the changes of force gathered so far.
 void answerChange(const Model& m, State& s) {
-  bool any = false;
-  for (const Vec3& f : s.work.change) any = any || f.squaredNorm() > 0.0;
-  if (!any) return;
+  if (std::none_of(s.work.change.begin(), s.work.change.end(), [](const Vec3& f) { return f.squaredNorm() > 0.0; })) return;
   applyForceChange(m.tissue, s.work.change, s.tissue, s.work.tissue);
   std::fill(s.work.change.begin(), s.work.change.end(), Vec3::Zero());
 }

@@ -57,10 +57,15 @@ struct ThreadSpot {
   int node = 0;
   double fraction = 0.0;                       // [1]
 };
-/// Clamped to the thread. Here, as every hole and every link asks for a dozen of them a step.
-inline ThreadSpot threadSpot(const StrandModel& m, double s) {   // [m]
+inline std::size_t regionAt(const StrandModel& m, double s) {   // [m]
   std::size_t r = m.regions.size() - 1;
   while (r > 0 && s < m.regions[r].from) --r;
+  return r;
+}
+
+/// Clamped to the thread. Here, as every hole and every link asks for a dozen of them a step.
+inline ThreadSpot threadSpot(const StrandModel& m, double s) {   // [m]
+  const std::size_t r = regionAt(m, s);
   const StrandRegion& region = m.regions[r];
   const int last = (r + 1 < m.regions.size() ? m.regions[r + 1].node : m.nodes - 1) - region.node - 1;
   double u = (s - region.from) / region.segment;
@@ -77,7 +82,7 @@ double lengthAfter(const StrandModel&, int node);
 /// Coordinate of the place `share` [1] of the way from a node to the next.  [m]
 double coordinateAt(const StrandModel&, int node, double share);
 /// Rest length of the segments about a coordinate; that of the last on the needle.  [m]
-inline double segmentAt(const StrandModel& m, double s) { return m.rest[threadSpot(m, s).node]; }   // [m]
+inline double segmentAt(const StrandModel& m, double s) { return m.regions[regionAt(m, s)].segment; }   // [m]
 
 /// Point and unit tangent (toward the tip) of the needle arc in its frame, at strand coordinate s in [L, L + arc].
 void arcAt(const StrandModel&, double s, Vec3& point, Vec3& tangent);

@@ -55,16 +55,20 @@ class Search {
   bool chunkPair(int a, int b) {
     const int pieces = model_.nodes - 2;
     const int endA = std::min(pieces, kChunk * (a + 1)), endB = std::min(pieces, kChunk * (b + 1));
-    for (int p = kChunk * a; p < endA; ++p)
+    const double far = 2.4 * dt_ * work_.fastest;                      // [m]
+    for (int p = kChunk * a; p < endA; ++p) {
+      if (ends(p)) continue;
+      const Vec3 centre = work_.pieceCentre[p];
+      const double radius = work_.pieceRadius[p];                      // [m]
       for (int q = std::max(kChunk * b, work_.firstBeyond[p]); q < endB; ++q) {
-        if (ends(p) || ends(q)) continue;
-        const double sum = work_.pieceRadius[p] + work_.pieceRadius[q] + reach_ + 2.4 * dt_ * work_.fastest;   // [m]
-        if ((work_.pieceCentre[p] - work_.pieceCentre[q]).squaredNorm() > sum * sum) continue;
+        const double sum = radius + work_.pieceRadius[q] + reach_ + far;   // [m]
+        if ((centre - work_.pieceCentre[q]).squaredNorm() > sum * sum || ends(q)) continue;
         fill(p);
         fill(q);
         const double reach = reach_ + 1.2 * dt_ * relativeSpeed(work_, p, q);   // [m]
         if (!samples(p, q, reach) || !samples(q, p, reach)) return false;
       }
+    }
     return true;
   }
   /// A piece that runs across a break.
@@ -75,21 +79,19 @@ class Search {
     piece.filled = true;
     piece.velocity = curvePoint(state_.velocity, curveWeights(p, 0.5));
     const int count = work_.samples[p];
-    for (int k = 0; k < count; ++k) piece.point[k] = curvePoint(state_.position, curveWeights(p, (k + 0.5) / count));
+    for (int k = 0; k < count; ++k) piece.points.set(k, curvePoint(state_.position, curveWeights(p, (k + 0.5) / count)));
   }
   bool samples(int own, int other, double reach) {   // [m]
     const double sum = work_.pieceRadius[own] + work_.pieceRadius[other] + reach;   // [m]
     if ((work_.pieceCentre[own] - work_.pieceCentre[other]).squaredNorm() > sum * sum) return true;
     const int count = work_.samples[own];
-    const PieceShape shape = pieceShape(state_.position, other);
-    const Vec3 centre = work_.pieceCentre[other];
-    const double within = work_.pieceRadius[other] + reach + kRounding;   // [m]
+    const PointRow& points = work_.sampled[own].points;
+    std::array<double, PointRow::kMost> places;                        // [1]
+    nearestPlaces(pieceShape(state_.position, other), points, count, {work_.pieceCentre[other], work_.pieceRadius[other] + reach + kRounding}, places, path_);
     for (int k = 0; k < count; ++k) {
-      const Vec3& point = work_.sampled[own].point[k];
-      if ((point - centre).squaredNorm() > within * within) continue;
-      const double place = nearestOn(shape, point);              // [1]
+      const double place = places[k];                                  // [1]
       if (place < 0.0) continue;
-      const double squared = (point - curvePoint(state_.position, curveWeights(other, place))).squaredNorm();   // [m^2]
+      const double squared = (points.at(k) - curvePoint(state_.position, curveWeights(other, place))).squaredNorm();   // [m^2]
       if (squared > reach * reach) continue;
       if (work_.near.size() >= kMostNear) return false;
       work_.near.push_back({own, k, other, place, std::sqrt(squared) - 2.0 * model_.radius});
@@ -103,6 +105,7 @@ class Search {
   ThreadContactWork& work_;
   const std::vector<std::uint8_t>& cut_;       // [1]
   double reach_;                               // [m] between centre lines at rest
+  LanePath path_ = widestLanes();
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "sim/strand/coupled_solve.h"
 #include "sim/strand/giving_tools.h"
+#include "sim/strand/nearest_places.h"
 #include "sim/strand/strand_model.h"
 #include "sim/strand/strand_state.h"
 #include "sim/strand/thread_curve.h"
@@ -19,7 +20,7 @@
 
 namespace halsted {
 
-inline constexpr int kFewestSamples = 4, kMostSamples = 24;   // per piece, by its length
+inline constexpr int kFewestSamples = 4, kMostSamples = PointRow::kMost;   // per piece, by its length
 inline constexpr int kPiecesPerChunk = 8;      // in the search
 
 struct ThreadContactParams {
@@ -84,7 +85,7 @@ struct NearPair { int piece, sample, partner; double place, gap; };   // [1], [m
 struct SampledPiece {
   bool filled = false;                         // in this search
   Vec3 velocity = Vec3::Zero();                // [m/s] of its middle
-  std::array<Vec3, kMostSamples> point{};      // [m]
+  PointRow points;
 };
 
 struct ThreadContactWork {

@@ -30,7 +30,7 @@ StrandLink holeLink(const Model& m, const StrandState& s, int hole, const Vec3& 
   link.coordinate = h.coordinate;
   link.anchor = point;
   link.force0 = h.force;
-  link.stiffness = Mat3::Identity() / bound;
+  link.stiffness = (1.0 / bound) * Mat3::Identity();             // one division, not nine
   if (h.slip == 0) return link;
   const Vec3 t = strandTangent(m.strand, s, h.coordinate);     // sliding: only friction along the strand
   const Vec3 lateral = h.force - h.force.dot(t) * t;
@@ -221,10 +221,8 @@ void settleHoles(const Model& m, State& state, StepOutput& out) {
     Hole& h = s.holes[i];
     const Vec3 solved = state.work.strand.links[i].force;
     const bool tip = h.role == static_cast<std::int32_t>(HoleRole::kTip);
-    const Hole before = h;
-    const Vec3 force = tip ? settleTip(m, state, i, solved, out) : settleFriction(m, state, i, solved);
-    addNodal(m, before, -before.force, state.work.change);
-    h.force = force;
+    addNodal(m, h, -h.force, state.work.change);
+    h.force = tip ? settleTip(m, state, i, solved, out) : settleFriction(m, state, i, solved);
     addNodal(m, h, h.force, state.work.change);
   }
   removeLeftHoles(m, state, out);

@@ -79,10 +79,11 @@ void hasComeThrough(int sample, StrandState& s) {
 void drawBack(const Model& m, int node, const SurfacePoint& before, const SurfacePoint& now, State& state) {
   if (state.cut || (m.params.thread.knots && m.bowels.count < 2) || !overEdge(m, before, now)) return;
   const Vec3 along = (state.strand.position[node] - state.strand.position[node - 1]).normalized();
-  if (!leadsAcross(along, before, now) || !pierces(m, node, along, state)) return;
+  if (!leadsAcross(along, before, now)) return;
   const Way back = wayFrom(m, state, m.strand.place[node - 1], -1.0), ahead = wayFrom(m, state, m.strand.place[node], 1.0);
   if (isDrawn(back) && isDrawn(ahead)) return;
   if (!letsThrough(back) && !letsThrough(ahead)) return;
+  if (!pierces(m, node, along, state)) return;
   const int mover = comesBack(back, ahead) ? node - 1 : node, other = mover == node ? node - 1 : node;
   follow(m, mover, state.strand.nearVertex[other], state.strand);
   if (!state.strand.comesThrough.empty()) state.strand.comesThrough[mover] = 1;

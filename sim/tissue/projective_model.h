@@ -33,10 +33,17 @@ struct ProjectiveModel {
   std::vector<Panel> panels;                   // ascending columns
   std::vector<int> row;                        // four times the row of each entry, ascending within a panel
   std::vector<double> value;                   // [1] [row][column of the panel]; of its own columns only what lies below the diagonal counts
-  // Columns in an order for the way back, two at a time that do not need each other: one addition need not wait for the last.
-  struct Column { int index = 0, row = 0, value = 0, stride = 0, count = 0; };   // entries below the diagonal: where they begin
-  std::vector<std::array<Column, 2>> backward;     // the second is empty (index -1) where there is no other
-  std::vector<int> partEnd;                    // where in `backward` each part ends
+  // Columns in an order for the way back, up to four abreast that do not need each other: no addition need wait for the last. Their entries below the
+  // diagonal lie as they are used, those of the same place in each column side by side.
+  struct Abreast {
+    std::array<int, 4> index{-1, -1, -1, -1};  // of the columns, -1 where there is no other
+    std::array<int, 4> count{};                // entries of each, the most first
+  };
+  std::vector<Abreast> backward;
+  std::vector<int> backRow;                    // four times the row of each entry
+  std::vector<double> backValue;               // [1]
+  struct Part { int first = 0, end = 0, entry = 0; };   // of `backward`; where its entries begin
+  std::vector<Part> parts;
   std::vector<double> inverseDiagonal;         // [m/N] of D
   std::vector<double> self;                    // [m/N] per particle: the diagonal of `inverse`
   std::vector<double> inverse;                 // [m/N] dense A^-1, row-major: the compliance seen by contacts

@@ -29,14 +29,6 @@ void addPanel(const FactorColumns& f, int first, int width, ProjectiveModel& p) 
   p.panels.push_back(panel);
 }
 
-std::vector<ProjectiveModel::Column> columnsOf(const ProjectiveModel& p) {
-  std::vector<ProjectiveModel::Column> columns;
-  for (const auto& panel : p.panels)
-    for (int c = 0; c < panel.width; ++c)
-      columns.push_back({panel.first + c, panel.row + c + 1, panel.value + (c + 1) * panel.width + c, panel.width, panel.rows - c - 1});
-  return columns;
-}
-
 /// Elimination tree (Liu 1990): on the way back a column needs those of its rows, all of them above it.
 struct Forest {
   std::vector<std::vector<int>> children;      // of each column
@@ -58,20 +50,34 @@ Forest forestOf(const FactorColumns& f) {
   return t;
 }
 
-/// Of the columns of one part whose turn may come the two go first that the longest chains wait for.
-void scheduleBackward(const Forest& t, int root, const std::vector<ProjectiveModel::Column>& columns, ProjectiveModel& p) {
+/// The entries of columns, the longest first, as they are used.
+void addAbreast(const FactorColumns& f, std::vector<int> columns, ProjectiveModel& p) {
+  std::stable_sort(columns.begin(), columns.end(), [&](int a, int b) { return rowsOf(f, a).size() > rowsOf(f, b).size(); });
+  ProjectiveModel::Abreast abreast;
+  for (std::size_t n = 0; n < columns.size(); ++n) {
+    abreast.index[n] = columns[n];
+    abreast.count[n] = static_cast<int>(rowsOf(f, columns[n]).size());
+  }
+  for (int k = 0; k < abreast.count[0]; ++k)
+    for (std::size_t n = 0; n < columns.size() && k < abreast.count[n]; ++n) {
+      p.backRow.push_back(4 * f.row[f.start[columns[n]] + k]);
+      p.backValue.push_back(f.value[f.start[columns[n]] + k]);
+    }
+  p.backward.push_back(abreast);
+}
+
+/// Of the columns of one part whose turn may come those go first that the longest chains wait for.
+void scheduleBackward(const FactorColumns& f, const Forest& t, int root, ProjectiveModel& p) {
   std::set<std::array<int, 2>> ready{{t.chain[root], root}};           // longest chain last
   while (!ready.empty()) {
-    std::array<ProjectiveModel::Column, 2> pair;
-    for (auto& column : pair) {
-      column.index = -1;
-      if (ready.empty()) continue;
-      column = columns[(*ready.rbegin())[1]];
+    std::vector<int> columns;
+    while (columns.size() < ProjectiveModel::Abreast{}.index.size() && !ready.empty()) {
+      columns.push_back((*ready.rbegin())[1]);
       ready.erase(std::prev(ready.end()));
     }
-    for (const auto& column : pair)
-      if (column.index >= 0) for (int child : t.children[column.index]) ready.insert({t.chain[child], child});
-    p.backward.push_back(pair);
+    for (const int column : columns)
+      for (const int child : t.children[column]) ready.insert({t.chain[child], child});
+    addAbreast(f, columns, p);
   }
 }
 
@@ -96,11 +102,11 @@ void layOutFactor(const FactorColumns& f, ProjectiveModel& p) {
   }
   const Forest forest = forestOf(f);
   nameParts(forest, p);
-  const auto columns = columnsOf(p);
   for (std::size_t k = 0; k < forest.roots.size(); ++k) {
-    scheduleBackward(forest, forest.roots[k], columns, p);
-    if (static_cast<int>(k) < ProjectiveModel::kMostParts) p.partEnd.push_back(0);
-    p.partEnd.back() = static_cast<int>(p.backward.size());
+    if (static_cast<int>(k) < ProjectiveModel::kMostParts)
+      p.parts.push_back({static_cast<int>(p.backward.size()), 0, static_cast<int>(p.backValue.size())});
+    scheduleBackward(f, forest, forest.roots[k], p);
+    p.parts.back().end = static_cast<int>(p.backward.size());
   }
 }
 

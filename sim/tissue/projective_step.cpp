@@ -152,14 +152,14 @@ template <int W> HALSTED_INLINE bool eliminate(const ProjectiveModel& p, const P
   const int* row = p.row.data() + panel.row;
   double* own = rows + 4 * panel.first;
   Lanes4 x[W];
-  bool none = true;
-  for (int r = 0; r < W; ++r) {
-    x[r] = loadLanes<Lanes4>(own + 4 * r);
+  for (int r = 0; r < W; ++r) x[r] = loadLanes<Lanes4>(own + 4 * r);
+  auto pushed = x[0] != 0.0;
+  for (int r = 1; r < W; ++r) pushed = pushed | (x[r] != 0.0);
+  if (!(pushed[0] | pushed[1] | pushed[2] | pushed[3])) return false;
+  for (int r = 1; r < W; ++r) {
     for (int c = 0; c < r; ++c) x[r] = x[r] - value[r * W + c] * x[c];
-    none = none && x[r][0] == 0.0 && x[r][1] == 0.0 && x[r][2] == 0.0 && x[r][3] == 0.0;
+    storeLanes(own + 4 * r, x[r]);
   }
-  if (none) return false;
-  for (int r = 1; r < W; ++r) storeLanes(own + 4 * r, x[r]);
   for (int r = W; r < panel.rows; ++r) {
     double* target = rows + row[r];
     Lanes4 sum = loadLanes<Lanes4>(target);
@@ -169,28 +169,29 @@ template <int W> HALSTED_INLINE bool eliminate(const ProjectiveModel& p, const P
   return true;
 }
 
-HALSTED_INLINE Lanes4 entry(const ProjectiveModel& p, const ProjectiveModel::Column& c, int k, const double* rows) {   // [m] or [N]
-  return p.value[c.value + k * c.stride] * loadLanes<Lanes4>(rows + p.row[c.row + k]);
+/// Entries of the way back, from where it has come.
+struct BackEntries { const int* row; const double* value; };
+
+/// Those of `N` columns abreast from entry `from` to the end of the shortest; then the others'.
+template <int N> HALSTED_INLINE void subtract(const ProjectiveModel::Abreast& columns, int from, const double* rows, BackEntries& next, Lanes4* x) {
+  const int to = columns.count[N - 1];
+  for (int k = from; k < to; ++k, next.row += N, next.value += N)
+    for (int n = 0; n < N; ++n) x[n] = x[n] - next.value[n] * loadLanes<Lanes4>(rows + next.row[n]);
+  if constexpr (N > 1) subtract<N - 1>(columns, to, rows, next, x);
 }
 
-HALSTED_INLINE void substitute(const ProjectiveModel& p, const ProjectiveModel::Column& a, const ProjectiveModel::Column& b, double* rows) {
-  double *left = rows + 4 * a.index, *right = rows + 4 * b.index;
-  Lanes4 x = loadLanes<Lanes4>(left) * p.inverseDiagonal[a.index], y = loadLanes<Lanes4>(right) * p.inverseDiagonal[b.index];
-  int k = 0;
-  for (const int both = a.count < b.count ? a.count : b.count; k < both; ++k) {
-    x = x - entry(p, a, k, rows);
-    y = y - entry(p, b, k, rows);
-  }
-  for (int i = k; i < a.count; ++i) x = x - entry(p, a, i, rows);
-  for (int i = k; i < b.count; ++i) y = y - entry(p, b, i, rows);
-  storeLanes(left, x);
-  storeLanes(right, y);
+template <int N> HALSTED_INLINE void substitute(const ProjectiveModel& p, const ProjectiveModel::Abreast& columns, BackEntries& next, double* rows) {
+  Lanes4 x[N];
+  for (int n = 0; n < N; ++n) x[n] = loadLanes<Lanes4>(rows + 4 * columns.index[n]) * p.inverseDiagonal[columns.index[n]];
+  subtract<N>(columns, 0, rows, next, x);
+  for (int n = 0; n < N; ++n) storeLanes(rows + 4 * columns.index[n], x[n]);
 }
 
-HALSTED_INLINE void substitute(const ProjectiveModel& p, const ProjectiveModel::Column& a, double* rows) {
-  Lanes4 x = loadLanes<Lanes4>(rows + 4 * a.index) * p.inverseDiagonal[a.index];
-  for (int k = 0; k < a.count; ++k) x = x - entry(p, a, k, rows);
-  storeLanes(rows + 4 * a.index, x);
+HALSTED_INLINE void substituteAbreast(const ProjectiveModel& p, const ProjectiveModel::Abreast& columns, BackEntries& next, double* rows) {
+  if (columns.index[3] >= 0) substitute<4>(p, columns, next, rows);
+  else if (columns.index[2] >= 0) substitute<3>(p, columns, next, rows);
+  else if (columns.index[1] >= 0) substitute<2>(p, columns, next, rows);
+  else substitute<1>(p, columns, next, rows);
 }
 
 HALSTED_INLINE bool eliminatePanel(const ProjectiveModel& p, const ProjectiveModel::Panel& panel, double* rows) {
@@ -205,14 +206,10 @@ HALSTED_INLINE bool eliminatePanel(const ProjectiveModel& p, const ProjectiveMod
 HALSTED_INLINE void solveBody(const ProjectiveModel& p, double* rows) {
   bool pushed[ProjectiveModel::kMostParts] = {};
   for (const ProjectiveModel::Panel& panel : p.panels) pushed[panel.part] |= eliminatePanel(p, panel, rows);
-  int pair = 0;
-  for (std::size_t part = 0; part < p.partEnd.size(); ++part) {
-    if (!pushed[part]) pair = p.partEnd[part];                         // nothing moves there
-    for (; pair < p.partEnd[part]; ++pair) {
-      const auto& columns = p.backward[pair];
-      if (columns[1].index >= 0) substitute(p, columns[0], columns[1], rows);
-      else substitute(p, columns[0], rows);
-    }
+  for (std::size_t part = 0; part < p.parts.size(); ++part) {
+    if (!pushed[part]) continue;                                       // nothing moves there
+    BackEntries next{p.backRow.data() + p.parts[part].entry, p.backValue.data() + p.parts[part].entry};
+    for (int k = p.parts[part].first; k < p.parts[part].end; ++k) substituteAbreast(p, p.backward[k], next, rows);
   }
 }
 

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <random>
 #include <tuple>
 
@@ -63,6 +65,37 @@ TEST(ThreadSearch, WhatIsNearestLiesSquareToTheCurve) {
   }
   EXPECT_GT(found, 3000);
   EXPECT_LT(worst, 1e-9);
+}
+
+/// Four points at a time or one after the other: bent pieces, straight ones, and one without length.
+TEST(ThreadSearch, FindsTheSamePlacesToTheBitFourAtATime) {
+  if (widestLanes() == LanePath::kSerial) GTEST_SKIP() << "this processor has no other way";
+  constexpr double kSegment = 0.3e-3;          // [m]
+  std::mt19937 generator(2);
+  const auto random = [&] { return 2.0 * generator() / 4294967296.0 - 1.0; };   // [1]
+  const auto any = [&] { return Vec3(random(), random(), random()); };   // [1]
+  int found = 0, outside = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double bend = i % 5 == 0 ? 0.0 : 0.8, size = i % 97 == 0 ? 0.0 : kSegment;   // [1], [m]
+    const Vec3 ahead = (Vec3::UnitX() + bend * any()).normalized();   // [1]
+    const std::array<Vec3, 3> x = {Vec3::Zero(), size * Vec3::UnitX(), size * (Vec3::UnitX() + ahead)};   // [m]
+    PointRow points;
+    const int count = 1 + i % PointRow::kMost;
+    for (int k = 0; k < count; ++k) points.set(k, k % 7 == 3 ? 0.5 * (x[0] + x[1]) : Vec3(x[1] + 2.0 * kSegment * any()));
+    const Sphere within{x[1], 2.0 * kSegment};
+    std::array<double, PointRow::kMost> serial, wide;   // [1]
+    nearestPlaces(pieceShape(x, 0), points, count, within, serial, LanePath::kSerial);
+    nearestPlaces(pieceShape(x, 0), points, count, within, wide, LanePath::kWide);
+    for (int k = 0; k < count; ++k) {
+      const double one = (points.at(k) - x[1]).norm() <= within.reach ? nearestOnPiece(x, 0, points.at(k)) : -1.0;   // [1]
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(serial[k]), std::bit_cast<std::uint64_t>(one)) << i << ' ' << k;
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(wide[k]), std::bit_cast<std::uint64_t>(one)) << i << ' ' << k;
+      found += one >= 0.0;
+      outside += (points.at(k) - x[1]).norm() > within.reach;
+    }
+  }
+  EXPECT_GT(found, 30000);
+  EXPECT_GT(outside, 30000);
 }
 
 TEST(ThreadSearch, FindsEveryPairThatIsNear) {
