@@ -33,7 +33,6 @@ double finelyKnotted(const StrandModel& strand, const ThreadContactState& contac
   return all > 0.0 ? fine / all : 0.0;
 }
 
-/// Not yet in lembert: 0.5 mm (README).
 class FrictionPreset : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(FrictionPreset, RefinesThreadForKnotsOfItsOwnSize) {
@@ -48,7 +47,7 @@ TEST_P(FrictionPreset, RefinesThreadForKnotsOfItsOwnSize) {
   EXPECT_GT(fine, 60e-3);                      // tail, bites and the long end's side of the knot
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, FrictionPreset, ::testing::Values("stay", "connell", "altemeier"), [](const auto& scene) { return std::string(scene.param); });
+INSTANTIATE_TEST_SUITE_P(Scenes, FrictionPreset, ::testing::Values("stay", "connell", "lembert", "altemeier"), [](const auto& scene) { return std::string(scene.param); });
 
 class SlowFriction : public ::testing::TestWithParam<Sewn> {};
 
