@@ -28,10 +28,11 @@ HALSTED_INLINE Lanes4 nearestFour(const PieceShape& s, const Lanes3& point, cons
     const Lanes4 value = c0 + v * (c1 + v * (c2 + v * c3));            // [m^2]
     const Lanes4 slope = c1 + v * (2.0 * c2 + v * 3.0 * c3);           // [m^2]
     open = open & ~(magnitude(value) <= 1e-13 * slope);
-    high = open & (value > 0.0) ? v : high;
-    low = open & ~(value > 0.0) ? v : low;
+    const Mask above = value > 0.0;
+    high = (open & above) ? v : high;
+    low = (open & ~above) ? v : low;
     const Lanes4 newton = slope > 0.0 ? v - value / slope : low;       // [1]
-    const Lanes4 next = (newton > low) & (newton < high) ? newton : 0.5 * (low + high);   // [1]
+    const Lanes4 next = ((newton > low) & (newton < high)) ? newton : 0.5 * (low + high);   // [1]
     v = open ? next : v;
   }
   return found ? v : zero - 1.0;
