@@ -31,12 +31,14 @@ bool crossPieces(const std::vector<Vec3>& seen, int i, int j, SeenVisit& first, 
 }
 
 /// Does the thread come back to the crossing at position i with none between?
-bool returnsAtOnce(const KnotDiagram& d, std::size_t i) { return i + 1 < d.code.size() && d.code[i].crossing == d.code[i + 1].crossing; }
+bool returnsAtOnce(const KnotDiagram& d, int i) { return i + 1 < static_cast<int>(d.code.size()) && d.code[i].crossing == d.code[i + 1].crossing; }
+
+void takeOut(KnotDiagram& d, int i, int visits) { d.code.erase(d.code.begin() + i, d.code.begin() + i + visits); }
 
 bool loopMove(KnotDiagram& d) {
-  for (std::size_t i = 0; i + 1 < d.code.size(); ++i) {
+  for (int i = 0; i + 1 < static_cast<int>(d.code.size()); ++i) {
     if (!returnsAtOnce(d, i)) continue;
-    d.code.erase(d.code.begin() + i, d.code.begin() + i + 2);
+    takeOut(d, i, 2);
     return true;
   }
   return false;
@@ -140,7 +142,7 @@ KnotReading takeThrows(KnotDiagram& d) {
   reading.complete = true;
   for (int i = 0; i < static_cast<int>(d.code.size());) {
     if (returnsAtOnce(d, i)) {                 // round throws that are taken out: the ends lay across each other
-      d.code.erase(d.code.begin() + i, d.code.begin() + i + 2);
+      takeOut(d, i, 2);
       if (where > i) where = std::max(i, where - 2);
       i = 0;
       continue;
@@ -149,7 +151,7 @@ KnotReading takeThrows(KnotDiagram& d) {
     if (n == 0 || !reading.throws.add({(n - 1) / 2, d.sign[d.code[i].crossing]})) { ++i; continue; }
     // The next throw of the same loop encloses the last: it begins before the place and ends after it.
     if (where >= 0 && !(i < where && where < i + 2 * n)) reading.complete = false;
-    d.code.erase(d.code.begin() + i, d.code.begin() + i + 2 * n);
+    takeOut(d, i, 2 * n);
     where = i;
     i = 0;
   }

@@ -57,7 +57,7 @@ struct ThreadSpot {
   int node = 0;
   double fraction = 0.0;                       // [1]
 };
-inline std::size_t regionAt(const StrandModel& m, double s) {   // [m]
+inline std::size_t regionAt(const StrandModel& m, double s) {   // [m]; which of `regions` a coordinate lies in, or beside
   std::size_t r = m.regions.size() - 1;
   while (r > 0 && s < m.regions[r].from) --r;
   return r;
