@@ -8,13 +8,20 @@ namespace {
 
 constexpr int kStride = BandedMatrix::kStride;
 
-/// Right-hand sides, one or four, in `x` from the row's own on.
-template <typename L> HALSTED_INLINE void substituteRow(const double* row, int behind, double* x) {   // [1]
+/// Right-hand sides, one or four, from the last row back. What the next row waits for stays in a register.
+template <typename L> HALSTED_INLINE void substituteBody(const double* a, int size, double* x) {   // [1]
   constexpr int kCount = LaneCount<L>::value;
-  L sum = loadLanes<L>(x);
-  const int last = reachOf(row, behind);
-  for (int k = 1; k <= last; ++k) sum = sum - row[k] * loadLanes<L>(x + kCount * k);
-  storeLanes(x, sum * row[0]);
+  L next = loadLanes<L>(std::array<double, 4>{}.data());
+  for (int j = size - 1; j >= 0; --j) {
+    const double* row = a + static_cast<std::size_t>(j) * kStride;
+    double* own = x + kCount * j;
+    const int behind = size - 1 - j;
+    L sum = loadLanes<L>(own);
+    if (behind >= BandedMatrix::kHalf) sum = lessRow(row, own, next, sum);
+    else for (int k = 1; k <= behind; ++k) sum = sum - row[k] * loadLanes<L>(own + kCount * k);
+    next = sum * row[0];
+    storeLanes(own, next);
+  }
 }
 
 /// The rows below the last are there too, all zeros.
@@ -26,7 +33,7 @@ HALSTED_INLINE bool solveBody(double* a, int size, double* x) {   // [1]
     eliminateColumn<0>(row, nullptr, inverse, x[j], x + j);
     row[0] = inverse;
   }
-  for (int j = size - 1; j >= 0; --j) substituteRow<double>(a + static_cast<std::size_t>(j) * kStride, size - 1 - j, x + j);
+  substituteBody<double>(a, size, x);
   return true;
 }
 
@@ -37,7 +44,7 @@ HALSTED_INLINE void againBody(const double* a, int size, double* x) {   // [1]
     const int last = reachOf(row, size - 1 - j);
     for (int i = 1; i <= last; ++i) storeLanes(x + 4 * (j + i), loadLanes<Lanes4>(x + 4 * (j + i)) - row[i] * scaled);
   }
-  for (int j = size - 1; j >= 0; --j) substituteRow<Lanes4>(a + static_cast<std::size_t>(j) * kStride, size - 1 - j, x + 4 * j);
+  substituteBody<Lanes4>(a, size, x);
 }
 
 __attribute__((target("avx2"))) bool solveWide(double* a, int size, double* x) { return solveBody(a, size, x); }   // [1]
@@ -47,9 +54,11 @@ void againNarrow(const double* a, int size, double* x) { againBody(a, size, x); 
 
 }  // namespace
 
-bool BandedMatrix::factorAndSolve(double* x) {
+bool BandedMatrix::factorAndSolve(double* x, std::span<Lanes4* const> more) {
   const bool wide = widestLanes() == LanePath::kWide;   // the bits are the same without
-  return wide ? solveWide(entries_.data(), size_, x) : solveNarrow(entries_.data(), size_, x);
+  if (!(wide ? solveWide(entries_.data(), size_, x) : solveNarrow(entries_.data(), size_, x))) return false;
+  for (Lanes4* four : more) solveAgain(four);
+  return true;
 }
 
 void BandedMatrix::solveAgain(Lanes4* x) const {

@@ -12,5 +12,8 @@ Vec3 relativePoint(const std::vector<Vec3>& x, const TouchingPoint&, const ToolB
 
 /// False, and no force, where they do not touch. Writes the point's own forces.
 bool answerAt(const Vec3& relative, TouchingPoint&, ContactAnswer&);   // [m]
+/// The same, leaving the point's own forces as they are; and the force alone, zero where they do not touch.
+bool wouldAnswer(const Vec3& relative, const TouchingPoint&, ContactAnswer&);   // [m]
+Vec3 forceAt(const Vec3& relative, const TouchingPoint&);   // [N], [m]
 
 }  // namespace halsted

@@ -9,6 +9,8 @@ namespace {
 
 constexpr int kStride = BandedMatrix::kStride, kHalf = BandedMatrix::kHalf, kBorder = StretchBand::kBorder;
 
+double* doublesOf(Lanes4* x) { return reinterpret_cast<double*>(x); }   // loaded one by one: a vector of Lanes4 need not begin at 32 bytes
+
 }  // namespace
 
 void CoupledSolve::resize(int threadNodes) {
@@ -24,13 +26,12 @@ void CoupledSolve::resize(int threadNodes) {
   order_.reserve(kMaxCore);
   pairs_.reserve(kMaxPairs);
   stretches_.reserve(kMaxCore + 6);
-  band_.assign(static_cast<std::size_t>(3 * blocks_ + kHalf) * kStride, 0.0);
   border_.assign(static_cast<std::size_t>(3 * blocks_ + kHalf) * kBorder, 0.0);
   envelope_.assign(kMaxEnvelope, 0.0);
   values_.assign(kMaxEnvelope, 0.0);
-  x_.assign(4 * static_cast<std::size_t>(3 * blocks_ + kHalf), 0.0);
+  x_.assign(3 * blocks_ + kHalf, 0.0);
   coreX_.assign(12 * (kMaxCore + 6), 0.0);
-  scaled_.assign(9 * (kMaxCore + 6), 0.0);
+  scaled_.assign(12 * (kMaxCore + 6), 0.0);
   inverse_.assign(3 * (kMaxCore + 6), 0.0);
 }
 
@@ -44,8 +45,7 @@ void CoupledSolve::add(int nodeI, int nodeJ, const Mat3& block) {
     for (int c = 0; c < 3; ++c) target[r * wide + c] += block(r, c);
 }
 
-void CoupledSolve::copyBand(const BandedMatrix& band) {
-  std::copy(band.rows().begin(), band.rows().end(), band_.begin());
+StretchBand CoupledSolve::beginBorders(BandedMatrix& band) {
   std::fill(border_.begin(), border_.end(), 0.0);
   for (const Stretch& s : stretches_) {
     if (s.first < 2) continue;
@@ -54,32 +54,37 @@ void CoupledSolve::copyBand(const BandedMatrix& band) {
     for (int r = 0; r < rows; ++r)
       for (int c = 0; c < kBorder; ++c) border_[static_cast<std::size_t>(3 * s.first + r) * kBorder + c] = band.at(begin + c, 3 * s.first + r);
   }
+  return {band.rows(), border_.data()};
 }
 
-/// Adds the scalar that couples rows i and j of the strand, both in the core.
-void CoupledSolve::addCore(int i, int j, double value) {
-  const int a = std::max(place_[i / 3], place_[j / 3]), b = std::min(place_[i / 3], place_[j / 3]);
-  const int ra = place_[i / 3] == a ? i % 3 : j % 3, rb = place_[i / 3] == a ? j % 3 : i % 3;
-  row(a)[ra * width(a) + 3 * (b - first_[a]) + rb] += value;
+/// Where the block of rows of node i and columns of node j stands in the envelope, if the rows come later; else it stands there transposed.
+CoupledSolve::CoreBlock CoupledSolve::coreBlock(int nodeI, int nodeJ) {
+  const int i = place_[nodeI], j = place_[nodeJ], late = std::max(i, j), early = std::min(i, j);
+  double* begin = &envelope_[offset_[late]] + 3 * (early - first_[late]);
+  return i == late ? CoreBlock{begin, width(late), 1} : CoreBlock{begin, 1, width(late)};
 }
 
-void CoupledSolve::gatherCore() {
+void CoupledSolve::gatherCore(const StretchBand& band) {
+  constexpr int kReach = kHalf / 3;            // blocks
   std::copy(values_.begin(), values_.begin() + offset_.back(), envelope_.begin());
   for (int node : core_)
-    for (int i = 3 * node; i < 3 * node + 3; ++i)
-      for (int k = 0; k <= kHalf && i + k < 3 * blocks_; ++k) {
-        if (!inCore_[(i + k) / 3]) continue;
-        const double value = band_[static_cast<std::size_t>(i) * kStride + k];   // [N/m]
-        addCore(i + k, i, value);              // within a block only the lower triangle is read
-      }
+    for (int next = node; next <= std::min(node + kReach, blocks_ - 1); ++next) {
+      if (!inCore_[next]) continue;
+      const CoreBlock block = coreBlock(next, node);
+      for (int c = 0; c < 3; ++c)              // within a block only the lower triangle is read
+        for (int r = next == node ? c : 0; r < 3; ++r)
+          if (const int k = 3 * (next - node) + r - c; k <= kHalf) block.at(r, c) += band.rows[static_cast<std::size_t>(3 * node + c) * kStride + k];
+    }
   for (const Stretch& s : stretches_) {
     if (s.first < 2 || s.last + 2 >= blocks_) continue;
-    for (int i = 3 * (s.last + 1); i < 3 * (s.last + 1) + 6; ++i)
-      for (int j = 0; j < kBorder; ++j) addCore(i, 3 * (s.first - 2) + j, border_[static_cast<std::size_t>(i) * kBorder + j]);
+    for (int after : {s.last + 1, s.last + 2})
+      for (int before : {s.first - 2, s.first - 1}) {
+        const CoreBlock block = coreBlock(after, before);
+        for (int r = 0; r < 3; ++r)
+          for (int c = 0; c < 3; ++c) block.at(r, c) += band.border[static_cast<std::size_t>(3 * after + r) * kBorder + 3 * (before - s.first + 2) + c];
+      }
   }
 }
-
-StretchBand CoupledSolve::stretchBand() { return {band_.data(), border_.data()}; }
 
 Envelope CoupledSolve::core() { return {coreNodes(), first_.data(), offset_.data(), envelope_.data(), inverse_.data(), scaled_.data()}; }
 
@@ -97,32 +102,40 @@ void CoupledSolve::solveCoreFour(double* x) {
   for (int i = 0; i < n; ++i) std::copy_n(&coreX_[4 * i], 4, x + 4 * (3 * core_[i / 3] + i % 3));
 }
 
-bool CoupledSolve::solve(const BandedMatrix& band, double* x) {
+/// Going back is a chain of dependent differences: x goes with `more`, in the lane that is free there.
+void CoupledSolve::substituteAll(const StretchBand& band, double* x, std::span<Lanes4* const> more) {   // [N] then [m]
+  if (more.empty()) {
+    for (const Stretch& s : stretches_) substitute(band, s, x);
+    return;
+  }
+  double* lanes = doublesOf(more[0]);
+  for (int i = 0; i < 3 * blocks_; ++i) lanes[4 * i + 3] = x[i];
+  for (const Stretch& s : stretches_) {
+    if (more.size() == 1) substituteFour(band, s, lanes);
+    else substituteEight(band, s, lanes, doublesOf(more[1]));
+  }
+  for (int i = 0; i < 3 * blocks_; ++i) x[i] = lanes[4 * i + 3];
+}
+
+bool CoupledSolve::solve(BandedMatrix& matrix, double* x, std::span<Lanes4* const> more) {   // [N] then [m]
   const int size = 3 * blocks_;
   double* padded = x_.data();                  // [N] then [m]
   std::copy(x, x + size, padded);
   std::fill(padded + size, padded + size + kHalf, 0.0);
-  copyBand(band);
+  const StretchBand band = beginBorders(matrix);
   for (const Stretch& s : stretches_)
-    if (!eliminate(stretchBand(), s, padded)) return false;
-  for (const Stretch& s : stretches_) reduceBorder(stretchBand(), s, padded);
-  gatherCore();
+    if (!eliminate(band, s, padded)) return false;
+  for (const Stretch& s : stretches_) reduceBorder(band, s, padded);
+  gatherCore(band);
   if (!factorEnvelope(core())) return false;
   solveCore(padded);
-  for (const Stretch& s : stretches_) substitute(stretchBand(), s, padded);
+  for (Lanes4* three : more) {
+    for (const Stretch& s : stretches_) forwardFour(band, s, doublesOf(three));
+    solveCoreFour(doublesOf(three));
+  }
+  substituteAll(band, padded, more);
   std::copy(padded, padded + size, x);
   return true;
-}
-
-void CoupledSolve::solveAgain(Lanes4* x) {
-  const int size = 3 * blocks_;
-  double* padded = x_.data();                  // [N] then [m], rows of four
-  for (int i = 0; i < size; ++i) storeLanes(padded + 4 * i, x[i]);
-  std::fill(padded + 4 * size, padded + 4 * (size + kHalf), 0.0);
-  for (const Stretch& s : stretches_) forwardFour(stretchBand(), s, padded);
-  solveCoreFour(padded);
-  for (const Stretch& s : stretches_) substituteFour(stretchBand(), s, padded);
-  for (int i = 0; i < size; ++i) x[i] = loadLanes<Lanes4>(padded + 4 * i);
 }
 
 }  // namespace halsted

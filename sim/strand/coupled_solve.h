@@ -4,6 +4,7 @@
 /// of a loop; what remains is a small matrix over the core, ordered so that strands lying along each other stay neighbours (reverse
 /// Cuthill-McKee) and factored directly (sim/strand/envelope.h). Exact, no iteration, no heap after
 /// `resize`.
+#include <span>
 #include <vector>
 
 #include "sim/lanes.h"
@@ -33,26 +34,28 @@ class CoupledSolve {
   void clearValues();
   void add(int nodeI, int nodeJ, const Mat3& block);   // [N/m] a symmetric block, once for each pair
 
-  /// x := (band + couplings)^-1 x. The band is read, not changed. False when a pivot is not positive.
-  bool solve(const BandedMatrix& band, double* x);
-
-  /// Once solved: four more right-hand sides at a time, one a lane.
-  void solveAgain(Lanes4* x);
+  /// x := (band + couplings)^-1 x, and the same for `more`, at most two columns of three right-hand sides with BandedMatrix::kHalf rows of
+  /// zeros behind; what their fourth lanes hold is lost. The band is used up. False when a pivot is not positive.
+  bool solve(BandedMatrix& band, double* x, std::span<Lanes4* const> more = {});   // [N] then [m]
 
  private:
-  double* row(int block) { return &envelope_[offset_[block]]; }   // three rows of equal length (3 (block + 1) - 3 first)
   int width(int block) const { return 3 * (block + 1 - first_[block]); }
   void findStretches();
   void linkNeighbours();
   void orderCore();
   void connect(int nodeI, int nodeJ);          // within the core's graph, by present places
-  void copyBand(const BandedMatrix&);
-  StretchBand stretchBand();
-  void addCore(int i, int j, double value);    // [N/m] scalar rows of the strand
-  void gatherCore();
+  StretchBand beginBorders(BandedMatrix&);
+  struct CoreBlock {
+    double* begin;                             // [N/m]
+    int row, column;                           // how far the next of each lies
+    double& at(int r, int c) const { return begin[r * row + c * column]; }
+  };
+  CoreBlock coreBlock(int nodeI, int nodeJ);
+  void gatherCore(const StretchBand&);
   Envelope core();                             // its matrix
   void solveCore(double* x);                   // [N] then [m]
   void solveCoreFour(double* x);               // [N] then [m], rows of four
+  void substituteAll(const StretchBand&, double* x, std::span<Lanes4* const> more);   // [N] then [m]
 
   int nodes_ = 0, blocks_ = 0;                 // blocks: the needle counts as two more
   std::vector<char> inCore_;                   // per block
@@ -61,10 +64,9 @@ class CoupledSolve {
   std::vector<int> degree_, order_;            // of each place; the order in which places are eliminated
   std::vector<std::pair<int, int>> pairs_;
   std::vector<Stretch> stretches_;
-  std::vector<double> band_;                   // [N/m] rows of BandedMatrix::kStride, eliminated in place
   std::vector<double> border_;                 // [N/m] StretchBand::kBorder per scalar row: coupling with the core before the stretch
   std::vector<double> envelope_, values_;      // [N/m] factored; couplings as added
-  std::vector<double> x_;                      // [N] then [m], room for four; zeros behind its end
+  std::vector<double> x_;                      // [N] then [m]; zeros behind its end
   std::vector<double> coreX_, scaled_, inverse_;   // [N] then [m], room for four; three rows times the pivots; [m/N]
 };
 

@@ -37,14 +37,16 @@ template <int Border> HALSTED_INLINE void eliminateColumn(double* row, double* b
   else eliminateRows<kFar, Border>(row, border, inverse, xj, x, std::make_integer_sequence<int, kFar>());
 }
 
-template <int Reach, typename L> HALSTED_INLINE L lessEntries(const double* row, const double* x, L sum) {   // [any]
-  for (int k = 1; k <= Reach; ++k) sum = sum - row[k] * loadLanes<L>(x + LaneCount<L>::value * k);
+template <int Reach, typename L> HALSTED_INLINE L lessEntries(const double* row, const double* x, L next, L sum) {   // [any]
+  sum = sum - row[1] * next;
+  for (int k = 2; k <= Reach; ++k) sum = sum - row[k] * loadLanes<L>(x + LaneCount<L>::value * k);
   return sum;
 }
 
-/// `sum` less what the row's entries behind the diagonal take of `x`, which begins at the diagonal: one right-hand side or four.
-template <typename L> HALSTED_INLINE L lessRow(const double* row, const double* x, L sum) {   // [any]
-  return staysNear(row) ? lessEntries<BandedMatrix::kBending>(row, x, sum) : lessEntries<BandedMatrix::kHalf>(row, x, sum);
+/// `sum` less what the row's entries behind the diagonal take of `x`, which begins at the diagonal: one right-hand side or four. `next` is
+/// what stands in the next row of `x`.
+template <typename L> HALSTED_INLINE L lessRow(const double* row, const double* x, L next, L sum) {   // [any]
+  return staysNear(row) ? lessEntries<BandedMatrix::kBending>(row, x, next, sum) : lessEntries<BandedMatrix::kHalf>(row, x, next, sum);
 }
 
 /// How many entries behind its diagonal a row has, of the `behind` rows that follow it.

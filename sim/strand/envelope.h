@@ -12,7 +12,7 @@ struct Envelope {
   const int* offset = nullptr;                 // per block row: where its three rows, of equal length, begin in `values`
   double* values = nullptr;                    // [N/m] only the lower triangle is read; factored in place, L below the diagonal
   double* inverse = nullptr;                   // [m/N] of the pivots: 3 a block row
-  double* scaled = nullptr;                    // [N/m] work: 9 a block row
+  double* scaled = nullptr;                    // [N/m] work: 12 a block row
 };
 
 /// False when a pivot is not positive.

@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "sim/strand/banded.h"
+
 namespace halsted {
 namespace {
 
@@ -32,9 +34,19 @@ void reduce(const ToolBorder& b, const std::vector<double>& x, BorderMatrix& mat
 
 void resizeBorder(int unknowns, ToolBorder& b) {
   for (int hand = 0; hand < kHands; ++hand) {
-    b.column[hand].assign(unknowns, Lanes4{0.0, 0.0, 0.0, 0.0});
+    b.column[hand].assign(unknowns + BandedMatrix::kHalf, Lanes4{0.0, 0.0, 0.0, 0.0});
     b.solved[hand] = b.column[hand];
   }
+}
+
+std::span<Lanes4* const> copyColumns(ToolBorder& b) {
+  std::size_t count = 0;
+  for (int hand = 0; hand < kHands; ++hand) {
+    if (!b.touched[hand]) continue;
+    b.solved[hand] = b.column[hand];
+    b.toSolve[count++] = b.solved[hand].data();
+  }
+  return std::span<Lanes4* const>(b.toSolve).first(count);
 }
 
 void beginBorder(ToolBorder& b) {
@@ -61,7 +73,7 @@ void addToBorder(int hand, const CurveWeights& sample, const Vec3& force, const 
       for (int k = 0; k < 3; ++k) b.column[hand][3 * (sample.node + a) + r][k] -= sample.weight[a] * stiffness(r, k);
 }
 
-void detail::moveHands(ToolBorder& b, std::vector<double>& x) {
+void moveHands(ToolBorder& b, std::vector<double>& x) {
   BorderMatrix matrix = BorderMatrix::Identity();
   Border rhs = Border::Zero();
   for (int h = 0; h < kHands; ++h) {

@@ -3,6 +3,7 @@
 /// would throw each other to and fro. So each hand adds three unknowns to the strand's system, how far thread has pushed its solids in this
 /// step, as a border of the matrix (Schur complement, exact). A hand has no mass here. Physics thread; no heap.
 #include <array>
+#include <span>
 #include <vector>
 
 #include "sim/lanes.h"
@@ -25,6 +26,7 @@ struct ToolBorder {
   double moved = 0.0;                          // [m] by the last correction, of a hand that thread lies against
   std::array<bool, kHands> touched{};          // does thread lie against it in this iterate?
   std::array<std::vector<Lanes4>, kHands> column, solved;   // [N/m] coupling with the strand, three lanes used; the matrix's inverse times it [1]
+  std::array<Lanes4*, kHands> toSolve{};       // the first of `solved` are those of hands touched
 };
 
 void resizeBorder(int unknowns, ToolBorder&);
@@ -36,27 +38,16 @@ void clearBorder(ToolBorder&);
 /// Thread at `sample` is pushed by a hand's solid with `force` and `stiffness`.
 void addToBorder(int hand, const CurveWeights& sample, const Vec3& force, const Mat3& stiffness, ToolBorder&);   // [N], [N/m]
 
-/// After the strand's own matrix has been solved: corrects x for the hands' motion, and writes that. `again` applies the inverse of the
-/// strand's matrix to four right-hand sides at a time, in place.
-template <typename Again> void solveBorder(ToolBorder&, std::vector<double>& x, Again again);
+/// The columns of the hands that thread lies against, which the inverse of the strand's matrix is then to be applied to, in place:
+/// three right-hand sides each, BandedMatrix::kHalf rows of zeros behind.
+std::span<Lanes4* const> copyColumns(ToolBorder&);
+/// Once that is done: corrects x for the hands' motion, and writes that.
+void moveHands(ToolBorder&, std::vector<double>& x);   // [m]
 
 /// The hands take a share of their last correction.
 void shiftHands(double share, ToolBorder&);    // [1]
 
 /// The step is over: where the hands now are is where the next begins.
 void settleBorder(ToolBorder&);
-
-namespace detail {
-void moveHands(ToolBorder&, std::vector<double>& x);   // [m]
-}
-
-template <typename Again> void solveBorder(ToolBorder& b, std::vector<double>& x, Again again) {   // [m]
-  for (int hand = 0; hand < kHands; ++hand) {
-    if (!b.touched[hand]) continue;
-    b.solved[hand] = b.column[hand];
-    again(b.solved[hand].data());
-  }
-  detail::moveHands(b, x);
-}
 
 }  // namespace halsted

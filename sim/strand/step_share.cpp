@@ -32,8 +32,7 @@ void gatherMoved(const StrandWork& w, ThreadContactWork& t) {
     const double before = c.normal.dot(moved.relative), after = before + c.normal.dot(moved.way);   // [m]
     if (before >= c.reach && after >= c.reach) continue;
     moved.point = i;
-    TouchingPoint now = c;                     // the forces of `c` stay those of the iterate
-    if (answerAt(moved.relative, now, answer)) {
+    if (wouldAnswer(moved.relative, c, answer)) {
       moved.force = answer.force;
       moved.answer = answer.stiffness * moved.way;
     }
@@ -44,11 +43,9 @@ void gatherMoved(const StrandWork& w, ThreadContactWork& t) {
 /// Against the forces along the whole correction, at a share of it: negative while it still goes downhill.  [J]
 double slopeAt(double share, double gain, const ThreadContactWork& t) {   // [1], [J]
   double slope = (share - 1.0) * gain;         // [J]
-  ContactAnswer answer;
   for (const MovedContact& m : t.moved) {
-    TouchingPoint c = t.points[m.point];
     Vec3 beyond = share * m.answer - m.force;  // [N] of the real force over the linear model's
-    if (answerAt(m.relative + share * m.way, c, answer)) beyond += answer.force;
+    beyond += forceAt(m.relative + share * m.way, t.points[m.point]);
     slope -= m.way.dot(beyond);
   }
   return slope;

@@ -1,4 +1,5 @@
 #include "sim/strand/strand.h"
+#include "sim/strand/needle_iterate.h"
 #include "sim/strand/step_share.h"
 #include "sim/strand/strand_trust.h"
 #include "sim/strand/thread_bending.h"
@@ -12,31 +13,6 @@ constexpr int kMostIterations = 8;              // a calm thread takes one; a wh
 constexpr int kMostAttempts = 5;                // more drag each time, when thread near thread moves too far in a step
 constexpr double kLengthTolerance = 2e-6;      // [m] a thousandth of a segment
 constexpr double kSwageStiffness = 2e5;        // [N/m] thread end to needle: a crimp, far stiffer than anything it pulls on
-
-/// The needle while iterating: pose of this iterate, and where inertia alone would take it.
-struct NeedleIterate {
-  Pose pose, inertial;
-  Vec3 centre = Vec3::Zero(), inertialCentre = Vec3::Zero();   // [m] centre of mass
-  Mat3 inertia = Mat3::Zero();                                 // [kg m^2] world
-};
-
-Mat3 skew(const Vec3& v) {
-  Mat3 s;
-  s << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return s;
-}
-
-Quat turned(const Quat& q, const Vec3& angle) {                // angle [rad], small
-  const Quat dq(1.0, 0.5 * angle.x(), 0.5 * angle.y(), 0.5 * angle.z());
-  return (dq * q).normalized();
-}
-
-/// Twice the vector part of the rotation from `from` to `to`: the rotation vector for small angles.  [rad]
-Vec3 rotationBetween(const Quat& from, const Quat& to) {
-  const Quat d = to * from.conjugate();
-  const Vec3 v(d.x(), d.y(), d.z());
-  return d.w() < 0.0 ? Vec3(-2.0 * v) : Vec3(2.0 * v);
-}
 
 /// A material point of the strand as a linear function of the unknowns: up to two thread nodes, or the needle with an arm.
 struct Spot {
@@ -186,15 +162,6 @@ class Assembly {
   const ThreadTouch* touch_;                   // or null
 };
 
-NeedleIterate beginNeedle(const StrandModel& m, const StrandState& s, double dt) {
-  NeedleIterate n;
-  n.centre = n.inertialCentre = s.needle.apply(m.needleCentre) + dt * s.needleVelocity;
-  n.pose.orientation = n.inertial.orientation = turned(s.needle.orientation, dt * s.needleSpin);
-  const Mat3 r = n.pose.orientation.toRotationMatrix();
-  n.inertia = r * m.needleInertia * r.transpose();
-  return n;
-}
-
 /// Tension consistent with the linear solve: the stretch along the direction the segment had in the last iterate.
 void writeTensions(const StrandModel& m, const StrandWork& w, const ThreadTouch* touch, StrandState& s) {
   for (int i = 0; i + 1 < m.nodes; ++i) {
@@ -217,12 +184,6 @@ double lengthError(const StrandModel& m, const StrandWork& w, const ThreadTouch*
   return worst;
 }
 
-void moveNeedle(const StrandModel& m, const double* u, NeedleIterate& n) {
-  n.centre += Vec3(u[0], u[1], u[2]);
-  n.pose.orientation = turned(n.pose.orientation, Vec3(u[3], u[4], u[5]));
-  n.pose.position = n.centre - n.pose.orientation * m.needleCentre;
-}
-
 void finish(const StrandModel& m, double dt, const NeedleIterate& n, StrandState& s, StrandWork& w) {
   for (int i = 0; i < m.nodes; ++i) {
     s.velocity[i] = (w.iterate[i] - s.position[i]) / dt;
@@ -238,9 +199,11 @@ void finish(const StrandModel& m, double dt, const NeedleIterate& n, StrandState
 }
 
 bool solveSystem(StrandWork& w, ThreadTouch* touch) {
-  const bool coupled = touch && touch->work.coupledStep;
-  if (!(coupled ? touch->work.coupled.solve(w.matrix, w.rhs.data()) : w.matrix.factorAndSolve(w.rhs.data()))) return false;
-  if (touch) solveBorder(touch->work.border, w.rhs, [&](Lanes4* x) { coupled ? touch->work.coupled.solveAgain(x) : w.matrix.solveAgain(x); });
+  if (!touch) return w.matrix.factorAndSolve(w.rhs.data());
+  const std::span<Lanes4* const> columns = copyColumns(touch->work.border);
+  const bool solved = touch->work.coupledStep ? touch->work.coupled.solve(w.matrix, w.rhs.data(), columns) : w.matrix.factorAndSolve(w.rhs.data(), columns);
+  if (!solved) return false;
+  moveHands(touch->work.border, w.rhs);
   return true;
 }
 

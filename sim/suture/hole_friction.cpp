@@ -36,11 +36,12 @@ double frictionBound(const Model& m, const StrandState& s, int hole) {
     const double lateral = (h.force - h.force.dot(t) * t).norm();
     return kNeedleFriction * lateral + drag;
   }
-  const double before = strandTension(m.strand, s, h.coordinate, -1), after = strandTension(m.strand, s, h.coordinate, 1);
+  const double least = std::fmin(strandTension(m.strand, s, h.coordinate, -1), strandTension(m.strand, s, h.coordinate, 1));   // [N]
+  if (least == 0.0) return drag;               // slack on one side, whatever the turn
   const double reach = 1.5 * m.strand.segment;                 // [m] tangents are taken just outside the hole
   const double excess = capstanExcess(strandTangent(m.strand, s, h.coordinate - reach), strandTangent(m.strand, s, h.coordinate + reach),
                                       m.params.contact.threadTissueFriction);
-  return std::fmin(before, after) * excess + drag;
+  return least * excess + drag;
 }
 
 std::optional<double> creepRound(const Model& m, const StrandState& s, int hole) {

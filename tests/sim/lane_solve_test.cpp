@@ -22,7 +22,7 @@ std::vector<double> numbers(std::size_t count, unsigned seed) {   // [1]
 struct Ragged {
   static constexpr int kBlocks = 23;
   std::vector<int> first, offset{0};
-  std::vector<double> values, inverse = std::vector<double>(3 * kBlocks), scaled = std::vector<double>(9 * kBlocks);   // [1]
+  std::vector<double> values, inverse = std::vector<double>(3 * kBlocks), scaled = std::vector<double>(12 * kBlocks);   // [1]
 
   Ragged() {
     for (int b = 0; b < kBlocks; ++b) {
@@ -85,6 +85,15 @@ TEST(LaneSolve, EliminatesAStretchToTheSameBits) {
   forwardFour(wide.view(), Middle::stretch(), again.data(), LanePath::kWide);
   substituteFour(wide.view(), Middle::stretch(), again.data(), LanePath::kWide);
   EXPECT_EQ(four, again);
+  std::vector<double> first = numbers(4 * x.size(), 15), second = numbers(4 * x.size(), 17), firstAlone = first, secondAlone = second;
+  substituteFour(wide.view(), Middle::stretch(), firstAlone.data(), LanePath::kWide);
+  substituteFour(wide.view(), Middle::stretch(), secondAlone.data(), LanePath::kWide);
+  for (LanePath path : {LanePath::kSerial, LanePath::kWide}) {
+    std::vector<double> a = first, b = second;
+    substituteEight(wide.view(), Middle::stretch(), a.data(), b.data(), path);
+    EXPECT_EQ(a, firstAlone);
+    EXPECT_EQ(b, secondAlone);
+  }
 }
 
 }  // namespace
