@@ -22,6 +22,7 @@ RenderScene renderScene(const Scenario& scenario) {
   scene.triangleLayer = mesh.triangleLayer;
   scene.surfaceUv = mesh.uv;
   scene.perineum = params.anatomy.layout == "prolapse";
+  if (params.gravity.norm() > 0.0) scene.up = -params.gravity.normalized();
   scene.threadNodes = threadNodes(scenario.model);
   scene.threadRadius = params.thread.radius;
   scene.needle = {params.needle.arcLength / params.needle.arcAngle, params.needle.arcAngle, params.needle.wireRadius};

@@ -264,4 +264,26 @@ void main() {
   color = vec4(mix(vec3(0.10, 0.0, 0.0), vec3(0.42, 0.05, 0.05), smoothstep(0.4, 0.9, d)), 0.92 * (1.0 - smoothstep(0.65, 1.0, d)));
 })";
 
+const char* const kSmokeVertex = R"(
+layout(location = 0) in vec3 aPosition;
+layout(location = 1) in vec2 aCorner;
+layout(location = 2) in float aStrength;
+uniform mat4 uViewProjection;
+out vec2 vCorner;
+out float vStrength;
+void main() {
+  vCorner = aCorner;
+  vStrength = aStrength;
+  gl_Position = uViewProjection * vec4(aPosition, 1.0);
+})";
+
+const char* const kSmokeFragment = R"(
+in vec2 vCorner;
+in float vStrength;
+out vec4 color;
+void main() {
+  float inside = max(0.0, 1.0 - dot(vCorner, vCorner));
+  color = vec4(0.80, 0.81, 0.84, vStrength * inside * inside);
+})";
+
 }  // namespace halsted::render

@@ -17,6 +17,8 @@ extern const char* const kTissueFragment;
 extern const char* const kThreadFragment;
 extern const char* const kNeedleFragment;
 extern const char* const kHoleFragment;
+extern const char* const kSmokeVertex;       // discs, each as dense as it is told
+extern const char* const kSmokeFragment;
 
 /// Head of a vertex shader: version and the lamp's direction as a constant.
 std::string shaderHead();

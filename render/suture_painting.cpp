@@ -13,6 +13,7 @@
 #include "render/shaders.h"
 #include "render/shadow_cells.h"
 #include "render/shadow_map.h"
+#include "render/smoke.h"
 #include "render/tissue_surface.h"
 
 namespace halsted::render {
@@ -71,6 +72,7 @@ struct SuturePainting final : Painting {
   Program steel = programOf(kRigidVertex, kSteelFragment);
   Program tissueLook = programOf(kTissueVertex, kTissueFragment), threadLook = programOf(kTubeVertex, kThreadFragment);
   Program needleLook = programOf(kTubeVertex, kNeedleFragment), holeLook = programOf(kHoleVertex, kHoleFragment);
+  Program smokeLook = programOf(kSmokeVertex, kSmokeFragment);
   Program rigidDepth = programOf(kRigidVertex, kDepthFragment), instrumentDepth = programOf(kInstrumentDepthVertex, kDepthFragment);
   Program tubeDepth = programOf(kTubeVertex, kDepthFragment);
   ShadowMap shadow{kShadowSize};
@@ -83,11 +85,12 @@ struct SuturePainting final : Painting {
   Tube stitchTube = makeThread(kStitchPoints);
   std::vector<GpuMesh> stitches;
   int stitchesDrawn = 0;
-  Discs holes;
+  Discs holes, smoke;
   std::array<std::array<DrawnInstrument, 2>, kHands> instruments;   // of each hand the first and the second
   Matrix4 lamp;
   double lampDepth;                                       // [m] that the shadow map covers
   double threadRadius;                                    // [m]
+  Vec3 up;                                                // [1] against gravity
   std::size_t particles, threadNodes;
   /// Calls `draw` for each half of each instrument: in the hands, then in the assistant's.
   template <class Draw> void eachInstrument(const RenderSnapshot& s, Draw draw) const {
@@ -106,6 +109,7 @@ struct SuturePainting final : Painting {
   void markShadows(const RenderSnapshot&);
   void drawFieldShadows(const RenderSnapshot&, const View&);
   void drawWires(const RenderSnapshot&, const View&) const;
+  void drawSmoke(const View&) const;
   void drawPicture(const RenderSnapshot&, const CameraView&);
   bool hasTissue(const RenderSnapshot& s) const { return particles > 0 && s.tissue.size() == particles; }
   bool hasThread(const RenderSnapshot& s) const { return threadNodes >= 2 && s.thread.size() == threadNodes && !s.threadOnTable; }
@@ -115,8 +119,8 @@ SuturePainting::SuturePainting(const RenderScene& scene, const Canvas& canvas)
     : picture(canvas), backdrop(canvas.width(), canvas.height()), casters(scene.surface.begin(), scene.surface.begin() + static_cast<std::ptrdiff_t>(boundaryTriangles(scene))), rodsAsLines(scene.rods),
       needleReach(scene.needle.radius + scene.needle.wireRadius), tissue(scene, scene.perineum ? kPerineumBudget : kTriangleBudget), threadTube(makeThread(scene.threadNodes)),
       thread(uploadTube(threadTube)), needle(uploadTube(makeNeedle(scene.needle))),
-      threadShadow(uploadOtherIndices(threadShadowIndices(scene.threadNodes))), holes(kMostPunctures),
-      threadRadius(scene.threadRadius), particles(scene.tissueRest.size()),
+      threadShadow(uploadOtherIndices(threadShadowIndices(scene.threadNodes))), holes(kMostPunctures), smoke(kHands * kPuffs),
+      threadRadius(scene.threadRadius), up(scene.up), particles(scene.tissueRest.size()),
       threadNodes(static_cast<std::size_t>(std::max(scene.threadNodes, 0))) {
   for (int k = 0; k < scene.maxStitches; ++k) stitches.push_back(uploadTube(stitchTube));
   const FieldPlace wound = placeOf(scene);
@@ -154,8 +158,9 @@ void SuturePainting::layHoles(const RenderSnapshot& snapshot, const CameraView& 
   const int count = std::min(snapshot.punctureCount, static_cast<int>(snapshot.punctures.size()));
   holes.clear();
   for (int i = 0; i < count; ++i) {
-    const Vec3 toEye = (camera.eye - snapshot.punctures[i]).normalized(), side = camera.up.cross(toEye).normalized();
-    holes.add({snapshot.punctures[i] + kHoleLift * toEye, side, toEye.cross(side)}, kHoleRadius);
+    DiscPlace place = facing(camera, snapshot.punctures[i]);
+    place.centre += kHoleLift * (camera.eye - place.centre).normalized();
+    holes.add(place, kHoleRadius);
   }
 }
 
@@ -241,6 +246,14 @@ void SuturePainting::drawWires(const RenderSnapshot& snapshot, const View& view)
   for (int k = 0; k < stitchesDrawn; ++k) stitches[static_cast<std::size_t>(k)].draw();
 }
 
+void SuturePainting::drawSmoke(const View& view) const {
+  const Blending over(Blending::kOver);
+  use(smokeLook, view);
+  glDepthMask(GL_FALSE);
+  smoke.draw();
+  glDepthMask(GL_TRUE);
+}
+
 void SuturePainting::drawPicture(const RenderSnapshot& snapshot, const CameraView& camera) {
   const View view = eyeView(camera, picture.width(), picture.height(), lamp);
   bindTexture(kReflectionUnit, reflection);
@@ -259,6 +272,7 @@ void SuturePainting::drawPicture(const RenderSnapshot& snapshot, const CameraVie
   if (hasTissue(snapshot)) tissue.draw();
   drawFieldShadows(snapshot, view);
   drawWires(snapshot, view);
+  drawSmoke(view);
 }
 
 void SuturePainting::draw(const RenderSnapshot& snapshot, const CameraView& camera, bool) {
@@ -268,6 +282,7 @@ void SuturePainting::draw(const RenderSnapshot& snapshot, const CameraView& came
     thread.stream(threadTube.vertices.data(), threadTube.vertices.size() * sizeof(TubeVertex));
   }
   layHoles(snapshot, camera);
+  laySmoke(snapshot, up, camera, smoke);
   layStitches(snapshot);
   drawShadows(snapshot);
   drawPicture(snapshot, camera);

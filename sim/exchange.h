@@ -89,6 +89,7 @@ struct ToolView {
   double jaw = 1.0;                          // [1]
   Vec3 force = Vec3::Zero();                 // [N] on the hand
   bool second = false;                       // it holds its second instrument
+  bool smokes = false;                       // a pen that is switched on where tissue is charred
 };
 
 inline constexpr int kMostClamps = 4;        // in the assistant's hands at once
@@ -213,6 +214,7 @@ struct RenderScene {
   std::array<ToolKind, kHands> secondTools{ToolKind::kNone, ToolKind::kNone};
   std::array<JawShape, kHands> secondJaws;
   CameraView camera;
+  Vec3 up = Vec3::UnitY();                   // [1] against gravity
   std::vector<std::string> instructions;     // one per procedure step
   std::vector<std::string> stepIds;
   int stitchesWanted = 0;                    // of the whole procedure; 0: it does not repeat

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "sim/cutting/burn.h"
 #include "sim/cutting/pieces.h"
 #include "sim/damage.h"
 #include "sim/needling/needling_scene.h"
@@ -153,11 +154,11 @@ void fillSnapshot(const Model& m, const State& s, RenderSnapshot& r) {
   r.step = s.step;
   r.time = s.step * m.params.dt;
   for (int hand = 0; hand < kHands; ++hand)
-    r.tools[hand] = {s.tools[hand].proxy, s.tools[hand].jaw, s.tools[hand].force, s.instruments && s.instruments->second[hand] == 1};
+    r.tools[hand] = {s.tools[hand].proxy, s.tools[hand].jaw, s.tools[hand].force, s.instruments && s.instruments->second[hand] == 1, smokes(m, s, hand)};
   r.clampCount = s.clamps ? s.clamps->count : 0;
   for (int k = 0; k < r.clampCount; ++k) {
     const StandingClamp& c = s.clamps->clamp[k];
-    r.clamps[k] = {c.hand, {c.pose, c.jaw, Vec3::Zero(), c.second == 1}};
+    r.clamps[k] = {c.hand, {c.pose, c.jaw, Vec3::Zero(), c.second == 1, false}};
   }
   r.procedureStep = s.procedure.current;
   r.faults = 0;

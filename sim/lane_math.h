@@ -2,8 +2,6 @@
 /// Small vector algebra on four independent lanes, for kernels that treat four tets or clusters at once. `L` is `Lanes4` (the
 /// compilers' vector extension) or `Serial4` (four plain doubles): each lane sees the same operations in the same order, so both give
 /// the same bits, and a test compares them (DESIGN 7.1).
-#include <cstdint>
-
 #include "sim/lanes.h"
 
 namespace halsted {
@@ -46,11 +44,6 @@ HALSTED_INLINE Serial4 selectAbove(Serial4 x, Serial4 limit, Serial4 a, Serial4 
 template <> struct LaneCount<Serial4> { static constexpr int value = 4; };
 template <> HALSTED_INLINE Serial4 loadLanes<Serial4>(const double* p) { return {{p[0], p[1], p[2], p[3]}}; }
 HALSTED_INLINE void storeLanes(double* p, Serial4 x) { p[0] = x[0]; p[1] = x[1]; p[2] = x[2]; p[3] = x[3]; }
-
-/// The next multiple of 32 bytes: a row of four that straddles two cache lines costs twice. Speed only, never bits.
-inline double* alignRow(double* p) {
-  return reinterpret_cast<double*>((reinterpret_cast<std::uintptr_t>(p) + 31) & ~std::uintptr_t{31});
-}
 
 /// Four rows of four doubles, seen column by column.
 template <typename L> struct LaneRows { L x, y, z, w; };

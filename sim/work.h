@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/cutting/cut_state.h"
+#include "sim/line_vector.h"
 #include "sim/strand/knot_diagram.h"
 #include "sim/strand/strand.h"
 #include "sim/strand/thread_contacts.h"
@@ -19,8 +20,8 @@ namespace halsted {
 struct TissueWork {
   std::vector<Vec3> previous;                  // [m] positions at the start of the step
   std::vector<Vec3> target;                    // per particle; by solver
-  std::vector<double> rows;                    // [m] or [N] per particle: four doubles for the factored solve
-  std::vector<double> scratch;                 // [1] by solver
+  LineVector<double> rows;                     // [m] or [N] per particle: four doubles for the factored solve
+  LineVector<double> scratch;                  // [1] by solver
 };
 
 /// Used by sim/suture: per hole, the tissue's own compliance there, and a bound that includes the pull of the other holes.

@@ -17,6 +17,8 @@ namespace halsted {
 namespace {
 
 constexpr double kSpark = 0.15e-3;             // [m] of steam that the current jumps (design)
+constexpr double kSmoking = 1.5e-3;            // [m] about the electrode, in which charred tissue still smokes (of the picture)
+constexpr double kCharred = 0.3;               // [1] of the heat that takes a tet away
 
 /// Of a point from a tet; 0 inside.  [m]
 double distanceTo(const Vec3& p, const std::array<int, 4>& tet, std::span<const Vec3> x) {
@@ -68,6 +70,8 @@ Heated heatedBy(const Model& m, const State& s, const Vec3& tip) {   // tip [m]
   return h;
 }
 
+bool switchedOn(const Model& m, const State& s, int hand) { return toolOf(m, s, hand).kind == ToolKind::kElectrocautery && s.tools[hand].closed; }
+
 /// Should this tet be left alone? What is on no wall of the line, and the inner wall before the outer one is through.
 bool isOvershoot(const Model& m, const CutMetrics& metrics, int tet) {
   if (!m.mesh.cuttable[tet]) return true;
@@ -108,14 +112,23 @@ void cutTissue(const Model& m, State& s, StepOutput& out) {
   s.metrics.cut->current = false;
   bool went = false;
   for (int hand = 0; hand < kHands; ++hand) {
-    const bool on = toolOf(m, s, hand).kind == ToolKind::kElectrocautery && s.tools[hand].closed;
-    if (on && heatTissue(m, hand, s, out)) went = true;
+    if (switchedOn(m, s, hand) && heatTissue(m, hand, s, out)) went = true;
   }
   if (takeAwayPieces(m, s, out)) went = true;
   if (!went) return;
   settlePieces(m, s, out);
   letGoOfGone(m, s, out);
   measureCut(m, s);
+}
+
+bool smokes(const Model& m, const State& s, int hand) {
+  if (!s.cut || !switchedOn(m, s, hand)) return false;
+  const Vec3& tip = s.tools[hand].proxy.position;
+  for (int t = 0; t < static_cast<int>(m.tissue.tets.size()); ++t) {
+    if (s.tissue.heat[t] < kCharred * m.tissue.restVolume[t] * m.params.cautery.cuttingEnergy) continue;
+    if (!outsideBox(tip, m.tissue.tets[t], s.tissue.position, kSmoking)) return true;
+  }
+  return false;
 }
 
 }  // namespace halsted

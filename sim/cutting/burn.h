@@ -13,4 +13,7 @@ struct StepOutput;
 /// First thing in a step: heat, what it takes away, and what no longer holds because of it. Nothing where nothing can be cut.
 void cutTissue(const Model&, State&, StepOutput&);
 
+/// For the picture: is this hand's pen switched on where tissue is charred? It smokes on when current has just burnt a gap before it.
+bool smokes(const Model&, const State&, int hand);
+
 }  // namespace halsted

@@ -13,6 +13,7 @@
 #include <array>
 #include <vector>
 
+#include "sim/line_vector.h"
 #include "sim/types.h"
 
 namespace halsted {
@@ -50,8 +51,8 @@ struct ProjectiveModel {
   // Tets in groups of four, struct of arrays: [group][entry][lane]; the last group repeats the last tet with zero weight.
   int groups = 0;
   std::vector<int> laneVertex;                 // [group][corner][lane]
-  std::vector<double> laneRestInverse;         // [1/m] [group][9][lane], row-major
-  std::vector<double> laneVolume;              // [m^3] [group][lane]
+  LineVector<double> laneRestInverse;          // [1/m] [group][9][lane], row-major
+  LineVector<double> laneVolume;               // [m^3] [group][lane]
   // Gather lists: right-hand side of particle i = sum over its (tet, corner) entries; fixed order, no scatter.
   std::vector<int> cornerStart;                // size + 1
   std::vector<int> corner;                     // offset into the corner forces [group][corner][xyz][lane]: offset of x

@@ -173,7 +173,7 @@ __attribute__((target("avx2"))) void iterateWide(const Match& d) { iterate<Lanes
 void predictShapeMatching(const TissueModel& m, std::span<const Vec3> force, TissueState& s, TissueWork& w) {
   const ShapeMatchingModel& shape = m.shape;
   const double h = m.dt / shape.substeps;                              // [s]
-  double* const scratch = alignRow(w.scratch.data());
+  double* const scratch = w.scratch.data();
   const Match data{shape, w.rows.data(), scratch, scratch + kMap * (m.mass.size() + shape.gather.shared.size() / 2 + 1),
                    s.rotation[0].coeffs().data()};
   for (int k = 0; k < shape.substeps; ++k) {

@@ -93,7 +93,7 @@ TissueWork prepareWork(const TissueModel& m) {
   w.rows.resize(m.rest.size() * 4);
   const std::size_t shared = (m.shape.gather.shared.size() + m.shape.spread.shared.size()) / 2;
   w.scratch.resize(std::max(static_cast<std::size_t>(m.projective.groups) * 12 * ProjectiveModel::kLanes,
-                            (2 * m.rest.size() + shared + 2) * ShapeMatchingModel::kMap + 4));   // a map per particle, cluster and sum, two empty, aligned
+                            (2 * m.rest.size() + shared + 2) * ShapeMatchingModel::kMap));   // a map per particle, cluster and sum, two empty
   return w;
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sim/lane_math.h"
+#include "sim/line_vector.h"
 #include "sim/types.h"
 
 namespace halsted {
@@ -18,8 +19,8 @@ struct XpbdModel {
   // The same tets in groups of four within a colour; a colour's last group repeats its last tet, which writes the same bits twice.
   int groups = 0;
   std::vector<int> laneVertex;                 // [group][corner][lane]
-  std::vector<double> laneRestInverse;         // [1/m] [group][9][lane], row-major
-  std::vector<double> laneInverseVolume;       // [1/m^3] [group][lane]
+  LineVector<double> laneRestInverse;          // [1/m] [group][9][lane], row-major
+  LineVector<double> laneInverseVolume;        // [1/m^3] [group][lane]
   std::vector<int> laneTet;                    // [group][lane]
   LanePath path = LanePath::kSerial;           // set by the builder to the widest the CPU has
 };

@@ -1,6 +1,7 @@
 /// The pen: where its power goes, how fast it cuts, what it leaves alone.
 #include <gtest/gtest.h>
 
+#include "sim/cutting/burn.h"
 #include "sim/fields.h"
 #include "tests/sim/cut_rig.h"
 #include "tests/support/realtime_guard.h"
@@ -29,6 +30,23 @@ TEST(CutHeat, IsAllThePowerWhileTheTipTouchesAndNoneElse) {
   EXPECT_EQ(rig.cut().overshoot, 0.0);
   EXPECT_EQ(rig.out.seen[static_cast<int>(Quantity::kCurrent)], 1.0);
   EXPECT_EQ(rig.cut().burnt, 0);
+}
+
+TEST(CutHeat, SmokesWhereItHasCharredWhileThePenIsOn) {
+  CutRig rig;
+  const auto smokesWith = [&](double y, bool on) {   // [m]
+    rig.pen(penAt(kMiddleX, y, kLineZ), on);
+    rig.run(20);
+    return smokes(rig.model, rig.state, kLeft);
+  };
+  EXPECT_FALSE(smokesWith(-5e-3, true));       // in the air
+  EXPECT_FALSE(smokesWith(0.1e-3, false));     // pressed on, but off
+  rig.pen(penAt(kMiddleX, 0.1e-3, kLineZ), true);
+  rig.run(500);
+  ASSERT_GT(rig.cut().burnt, 0);
+  EXPECT_TRUE(smokes(rig.model, rig.state, kLeft));
+  EXPECT_FALSE(smokesWith(0.1e-3, false));
+  EXPECT_FALSE(smokesWith(-5e-3, true));
 }
 
 TEST(CutHeat, InTissueThatCannotBeCutIsOvershootAndTakesNothingAway) {
