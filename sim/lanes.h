@@ -24,6 +24,8 @@ template <> struct LaneCount<Lanes4> { static constexpr int value = 4; };
 template <typename L> HALSTED_INLINE L loadLanes(const double* p);
 template <> HALSTED_INLINE double loadLanes<double>(const double* p) { return *p; }
 template <> HALSTED_INLINE Lanes4 loadLanes<Lanes4>(const double* p) { return Lanes4{p[0], p[1], p[2], p[3]}; }
+inline constexpr double kZeros[4] = {};         // [1]
+template <typename L> HALSTED_INLINE L zeroLanes() { return loadLanes<L>(kZeros); }
 HALSTED_INLINE void storeLanes(double* p, double x) { *p = x; }   // [1]
 /// In one piece: element by element, a compiler may undo the transposition before it and store one double at a time.
 HALSTED_INLINE void storeLanes(double* p, Lanes4 x) { __builtin_memcpy(p, &x, sizeof x); }

@@ -11,7 +11,7 @@ constexpr int kStride = BandedMatrix::kStride;
 /// Right-hand sides, one or four, from the last row back. What the next row waits for stays in a register.
 template <typename L> HALSTED_INLINE void substituteBody(const double* a, int size, double* x) {   // [1]
   constexpr int kCount = LaneCount<L>::value;
-  L next = loadLanes<L>(std::array<double, 4>{}.data());
+  L next = zeroLanes<L>();
   for (int j = size - 1; j >= 0; --j) {
     const double* row = a + static_cast<std::size_t>(j) * kStride;
     double* own = x + kCount * j;

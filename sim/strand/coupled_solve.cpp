@@ -37,12 +37,18 @@ void CoupledSolve::resize(int threadNodes) {
 
 void CoupledSolve::clearValues() { std::fill(values_.begin(), values_.begin() + offset_.back(), 0.0); }
 
+/// Where the block of rows of node i and columns of node j stands among the envelope's entries, if the rows come later; else it stands there
+/// transposed.
+CoupledSolve::CoreBlock CoupledSolve::coreBlock(std::vector<double>& entries, int nodeI, int nodeJ) const {   // [N/m]
+  const int i = place_[nodeI], j = place_[nodeJ], late = std::max(i, j), early = std::min(i, j);
+  double* begin = &entries[offset_[late]] + 3 * (early - first_[late]);
+  return i == late ? CoreBlock{begin, width(late), 1} : CoreBlock{begin, 1, width(late)};
+}
+
 void CoupledSolve::add(int nodeI, int nodeJ, const Mat3& block) {
-  const int i = std::max(place_[nodeI], place_[nodeJ]), j = std::min(place_[nodeI], place_[nodeJ]);
-  double* target = &values_[offset_[i]] + 3 * (j - first_[i]);
-  const int wide = width(i);
+  const CoreBlock target = coreBlock(values_, nodeI, nodeJ);
   for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) target[r * wide + c] += block(r, c);
+    for (int c = 0; c < 3; ++c) target.at(r, c) += block(r, c);
 }
 
 StretchBand CoupledSolve::beginBorders(BandedMatrix& band) {
@@ -57,20 +63,13 @@ StretchBand CoupledSolve::beginBorders(BandedMatrix& band) {
   return {band.rows(), border_.data()};
 }
 
-/// Where the block of rows of node i and columns of node j stands in the envelope, if the rows come later; else it stands there transposed.
-CoupledSolve::CoreBlock CoupledSolve::coreBlock(int nodeI, int nodeJ) {
-  const int i = place_[nodeI], j = place_[nodeJ], late = std::max(i, j), early = std::min(i, j);
-  double* begin = &envelope_[offset_[late]] + 3 * (early - first_[late]);
-  return i == late ? CoreBlock{begin, width(late), 1} : CoreBlock{begin, 1, width(late)};
-}
-
 void CoupledSolve::gatherCore(const StretchBand& band) {
   constexpr int kReach = kHalf / 3;            // blocks
   std::copy(values_.begin(), values_.begin() + offset_.back(), envelope_.begin());
   for (int node : core_)
     for (int next = node; next <= std::min(node + kReach, blocks_ - 1); ++next) {
       if (!inCore_[next]) continue;
-      const CoreBlock block = coreBlock(next, node);
+      const CoreBlock block = coreBlock(envelope_, next, node);
       for (int c = 0; c < 3; ++c)              // within a block only the lower triangle is read
         for (int r = next == node ? c : 0; r < 3; ++r)
           if (const int k = 3 * (next - node) + r - c; k <= kHalf) block.at(r, c) += band.rows[static_cast<std::size_t>(3 * node + c) * kStride + k];
@@ -79,7 +78,7 @@ void CoupledSolve::gatherCore(const StretchBand& band) {
     if (s.first < 2 || s.last + 2 >= blocks_) continue;
     for (int after : {s.last + 1, s.last + 2})
       for (int before : {s.first - 2, s.first - 1}) {
-        const CoreBlock block = coreBlock(after, before);
+        const CoreBlock block = coreBlock(envelope_, after, before);
         for (int r = 0; r < 3; ++r)
           for (int c = 0; c < 3; ++c) block.at(r, c) += band.border[static_cast<std::size_t>(3 * after + r) * kBorder + 3 * (before - s.first + 2) + c];
       }

@@ -50,7 +50,7 @@ class CoupledSolve {
     int row, column;                           // how far the next of each lies
     double& at(int r, int c) const { return begin[r * row + c * column]; }
   };
-  CoreBlock coreBlock(int nodeI, int nodeJ);
+  CoreBlock coreBlock(std::vector<double>& entries, int nodeI, int nodeJ) const;   // [N/m]
   void gatherCore(const StretchBand&);
   Envelope core();                             // its matrix
   void solveCore(double* x);                   // [N] then [m]
@@ -67,7 +67,7 @@ class CoupledSolve {
   std::vector<double> border_;                 // [N/m] StretchBand::kBorder per scalar row: coupling with the core before the stretch
   std::vector<double> envelope_, values_;      // [N/m] factored; couplings as added
   std::vector<double> x_;                      // [N] then [m]; zeros behind its end
-  std::vector<double> coreX_, scaled_, inverse_;   // [N] then [m], room for four; three rows times the pivots; [m/N]
+  std::vector<double> coreX_, scaled_, inverse_;   // [N] then [m], room for four; three rows abreast, times the pivots; [m/N]
 };
 
 }  // namespace halsted

@@ -6,8 +6,6 @@
 namespace halsted {
 namespace {
 
-constexpr double kNothing[4] = {};
-
 /// The three scalar rows of a block row; columns count from `begin`, the diagonal block from `diagonal`.
 struct BlockRow {
   int begin, diagonal;
@@ -20,7 +18,7 @@ struct BlockRow {
 
 /// Four partial sums in a fixed order: no chain of dependent additions. [any]
 template <typename L> HALSTED_INLINE double dot(const double* a, const double* b, int n) {
-  L sum = loadLanes<L>(kNothing);
+  L sum = zeroLanes<L>();
   int k = 0;
   for (; k + 4 <= n; k += 4) sum = sum + loadLanes<L>(a + k) * loadLanes<L>(b + k);
   double total = (sum[0] + sum[1]) + (sum[2] + sum[3]);
@@ -33,7 +31,7 @@ template <typename L> struct FourSums {
   L part[4];                                   // [N/m]
 
   HALSTED_INLINE FourSums() {
-    for (L& p : part) p = loadLanes<L>(kNothing);
+    for (L& p : part) p = zeroLanes<L>();
   }
   HALSTED_INLINE void add(const L* three, const double* one) {
     for (int q = 0; q < 4; ++q) part[q] = part[q] + three[q] * one[q];
@@ -55,7 +53,7 @@ template <typename L> struct RowsAbreast {
   const BlockRow a;
   L pivot;                                     // [N/m]
 
-  HALSTED_INLINE RowsAbreast(const Envelope& envelope, int block) : e(envelope), a(envelope, block), pivot(loadLanes<L>(kNothing)) {
+  HALSTED_INLINE RowsAbreast(const Envelope& envelope, int block) : e(envelope), a(envelope, block), pivot(zeroLanes<L>()) {
     const int d = a.diagonal - a.begin;
     pivot = loadLanes<L>(std::array<double, 4>{a.row[0][d], a.row[1][d + 1], a.row[2][d + 2], 0.0}.data());
   }
@@ -143,7 +141,7 @@ template <typename L> HALSTED_INLINE void solveBody(const Envelope& e, double* x
   for (int block = 0; block < e.blocks; ++block) {
     const BlockRow l(e, block);
     L sum[3];
-    for (L& s : sum) s = loadLanes<L>(kNothing);
+    for (L& s : sum) s = zeroLanes<L>();
     for (int k = l.begin; k < l.diagonal; ++k) {
       const L other = loadLanes<L>(x + 4 * k);
       for (int r = 0; r < 3; ++r) sum[r] = sum[r] + l.row[r][k - l.begin] * other;

@@ -34,7 +34,7 @@ void reduce(const ToolBorder& b, const std::vector<double>& x, BorderMatrix& mat
 
 void resizeBorder(int unknowns, ToolBorder& b) {
   for (int hand = 0; hand < kHands; ++hand) {
-    b.column[hand].assign(unknowns + BandedMatrix::kHalf, Lanes4{0.0, 0.0, 0.0, 0.0});
+    b.column[hand].assign(unknowns + BandedMatrix::kHalf, zeroLanes<Lanes4>());
     b.solved[hand] = b.column[hand];
   }
 }
@@ -55,7 +55,7 @@ void beginBorder(ToolBorder& b) {
 
 void clearBorder(ToolBorder& b) {
   for (int hand = 0; hand < kHands; ++hand) {
-    if (b.touched[hand]) std::fill(b.column[hand].begin(), b.column[hand].end(), Lanes4{0.0, 0.0, 0.0, 0.0});
+    if (b.touched[hand]) std::fill(b.column[hand].begin(), b.column[hand].end(), zeroLanes<Lanes4>());
     b.touched[hand] = false;
     const GivingTool& t = b.tool[hand];
     b.stiffness[hand] = t.spring * Mat3::Identity();

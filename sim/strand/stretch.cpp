@@ -9,7 +9,6 @@ namespace halsted {
 namespace {
 
 constexpr int kHalf = BandedMatrix::kHalf, kStride = BandedMatrix::kStride, kBorder = StretchBand::kBorder;
-constexpr double kNothing[4] = {};
 
 HALSTED_INLINE double* rowOf(const StretchBand& b, int j) { return b.rows + static_cast<std::size_t>(j) * kStride; }       // [N/m]
 HALSTED_INLINE double* borderOf(const StretchBand& b, int j) { return b.border + static_cast<std::size_t>(j) * kBorder; }   // [N/m]
@@ -72,7 +71,7 @@ template <typename L> HALSTED_INLINE void forwardBody(const StretchBand& b, cons
   constexpr int kNear = BandedMatrix::kBending, kRing = 16;
   const int begin = 3 * s.first, end = 3 * (s.last + 1);
   double* before = x + 4 * (begin - kBorder);
-  L scaled[kRing], last = loadLanes<L>(kNothing), taken[kBorder];
+  L scaled[kRing], last = zeroLanes<L>(), taken[kBorder];
   for (int c = 0; c < kBorder && s.bordered(); ++c) taken[c] = loadLanes<L>(before + 4 * c);
   for (int j = begin; j < end; ++j) {
     const double *row = rowOf(b, j), *border = borderOf(b, j);
