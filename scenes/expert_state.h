@@ -52,6 +52,7 @@ struct ExpertState {
   std::int32_t cutsBefore = 0;                 // of the thread, before this cut
   double settled = 0.0, stuck = 0.0;           // [s] since the tails stopped coming; since they only hold
   bool closed = false;                         // as far as it is to be drawn
+  double leastOpen = 0.0;                      // [1] of the opening at rest, since it is drawn
   std::array<Pose, kHands> goal;               // of the phase under way
   std::array<Pose, kHands> pass;               // on the way to `goal`
   KnotPlan knot;

@@ -18,13 +18,14 @@ constexpr double kLowest = -0.06, kDeepest = -0.02;            // [m] y and z: l
 constexpr double kNearer = 12e-3;              // [m] to the stitch after a miss
 constexpr double kSamePlace = 0.015;           // [m] along the thread
 constexpr int kTries = 8;                      // to take it alone: where thread lies in a heap, with what is beside it
-constexpr double kTightenSpeed = 0.015;        // [m/s]
+constexpr double kTightenSpeed = 0.008;        // [m/s] twice as fast, thread that catches at its holes and slips tears them (patient)
 constexpr double kTightenReach = 0.09;         // [m] as far as the arms go apart
 constexpr double kMostGiven = 0.02;            // [m] a tail that was taken too tight is let back
 constexpr double kFeel = 0.5;                  // [N] short of the tension at which a hand slows down
 constexpr double kFeelTime = 0.2;              // [s] thread that catches and slips is felt as its mean
 constexpr double kTight = 0.3;                 // [1] of the speed: nothing comes any more
 constexpr double kHoldTight = 1.5;             // [s]
+constexpr double kPatience = 10.0, kGains = 0.005;   // [s] [1] of the opening: in such a time no more is gained; two hands that feel each other through a stitch see-saw
 constexpr double kSnug = 0.15, kClosed = 0.13; // [1] of the opening at rest: it lies on the anvil; no need to draw any more
 constexpr double kWallsMeet = 2e-3;            // [m] of gap between two ends that looks as open as an opening at rest
 constexpr double kDrawSpeed = 0.04, kDrawReach = 0.06;           // [m/s] [m] of one stroke
@@ -224,17 +225,20 @@ bool runTakeOut(const Scene& s) {
 }
 
 /// Both tails of a purse-string are drawn apart, crossed as for a knot: each hand pulls over the other's hole, so the gap between them closes
-/// too. Each hand feels its own tail: it draws until that is tight, gives way when it is too tight, and stops when the opening is closed.
+/// too. Each hand feels its own tail: it draws until that is tight, gives way when it is too tight, and stops when the opening is closed or closes no farther.
 bool runTighten(const Scene& s, std::string&) {
   ExpertState& e = s.memory;
   if (e.phase == 0) {
     for (int h = 0; h < kHands; ++h) e.goal[h] = e.hand[h].command;
     e.drawn = e.felt = {};
-    e.settled = 0.0;
+    e.settled = e.stuck = 0.0;
     e.closed = false;
+    e.leastOpen = opening(s.state, s.model);
     nextPhase(s);
   }
   const double open = opening(s.state, s.model);                                                 // [1]
+  e.stuck = open < e.leastOpen - kGains ? 0.0 : e.stuck + s.dt;
+  if (e.stuck == 0.0) e.leastOpen = open;
   e.closed = open < (e.closed ? kSnug : kClosed);                                                 // held, it springs back a little
   bool exhausted = false;                      // an arm is stretched out and its tail still slack: both need a shorter grip
   double fastest = 0.0;                        // [1] of the tightening speed
@@ -250,7 +254,7 @@ bool runTighten(const Scene& s, std::string&) {
     moveHand(s, h, {e.goal[h].position + e.drawn[h] * way, e.goal[h].orientation}, 0.1);
   }
   e.settled = open < kSnug || exhausted || fastest < kTight ? e.settled + s.dt : 0.0;
-  return e.settled > kHoldTight;
+  return e.settled > kHoldTight || e.stuck > kPatience;
 }
 
 }  // namespace halsted::scenes

@@ -29,6 +29,7 @@ namespace halsted {
 namespace {
 
 constexpr double kMostPressure = 1e5;          // [Pa] ten times what tears a bowel
+constexpr double kLittle = 1e-4;               // [N] a hundredth of a gram
 
 void beginOutput(StepOutput& out) {
   out.eventCount = out.droppedEvents = 0;
@@ -110,10 +111,12 @@ void stepStrand(const Model& m, KnottingMotion motion, State& s, StepOutput& out
   }
 }
 
-/// Moves the tissue by its answer to the changes of force gathered so far.
+/// Moves the tissue by its answer to the changes of force gathered so far. All together little, as from thread that lies still, they wait for the next
+/// step, which begins with all forces (carryForces): answering costs as much as a step of tissue that nothing touches.
 void answerChange(const Model& m, State& s) {
-  if (std::none_of(s.work.change.begin(), s.work.change.end(), [](const Vec3& f) { return f.squaredNorm() > 0.0; })) return;
-  applyForceChange(m.tissue, s.work.change, s.tissue, s.work.tissue);
+  double squared = 0.0;                        // [N^2]
+  for (const Vec3& f : s.work.change) squared += f.squaredNorm();
+  if (squared > kLittle * kLittle) applyForceChange(m.tissue, s.work.change, s.tissue, s.work.tissue);
   std::fill(s.work.change.begin(), s.work.change.end(), Vec3::Zero());
 }
 

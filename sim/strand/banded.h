@@ -1,9 +1,6 @@
 #pragma once
 /// Symmetric positive definite matrix of fixed half bandwidth, and its direct solve in linear time. No heap after `resize`.
-#include <span>
 #include <vector>
-
-#include "sim/lanes.h"
 
 namespace halsted {
 
@@ -32,13 +29,10 @@ class BandedMatrix {
   /// Rows of kStride, A(i, i) first; what would lie beyond the last column is zero, as are kHalf rows behind the last.
   double* rows() { return entries_.data(); }   // [1]
 
-  /// LDL^T in place, then x := A^-1 x, and the same for each of `more`, four right-hand sides, one a lane. False when a pivot is not
-  /// positive (the matrix is then useless).
-  bool factorAndSolve(double* x, std::span<Lanes4* const> more = {});
+  /// LDL^T in place, then x := A^-1 x. False when a pivot is not positive (the matrix is then useless).
+  bool factorAndSolve(double* x);
 
  private:
-  void solveAgain(Lanes4* x) const;            // once factored
-
   int size_ = 0;
   std::vector<double> entries_;                // [1] row i: A(i, i) .. A(i, i + kHalf)
 };

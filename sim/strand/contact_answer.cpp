@@ -39,10 +39,10 @@ bool answerOf(const Touch& t, const TouchingPoint& c, ContactAnswer& out) {
 
 }  // namespace
 
-Vec3 relativePoint(const std::vector<Vec3>& x, const TouchingPoint& c, const ToolBorder& border) {
+Vec3 relativePoint(const std::vector<Vec3>& x, const TouchingPoint& c, const GivingTools& hands) {
   const Vec3 own = curvePoint(x, c.sample);
   if (!c.solid) return own - curvePoint(x, c.partner);
-  return c.owner < 0 ? Vec3(own - c.anchor) : Vec3(own - c.anchor - border.tool[c.owner].shift);
+  return c.owner < 0 ? Vec3(own - c.anchor) : Vec3(own - c.anchor - hands.tool[c.owner].shift);
 }
 
 Vec3 forceAt(const Vec3& relative, const TouchingPoint& c) { return forceOf(touchAt(relative, c), c); }   // [m]

@@ -8,7 +8,7 @@ namespace halsted {
 struct ContactAnswer { Vec3 force; Mat3 stiffness; };   // [N], [N/m]
 
 /// Sample minus partner, with the nodes at `x`. A solid has gone where it is sent, and on with the hand that gives way.
-Vec3 relativePoint(const std::vector<Vec3>& x, const TouchingPoint&, const ToolBorder&);   // [m]
+Vec3 relativePoint(const std::vector<Vec3>& x, const TouchingPoint&, const GivingTools&);   // [m]
 
 /// False, and no force, where they do not touch. Writes the point's own forces.
 bool answerAt(const Vec3& relative, TouchingPoint&, ContactAnswer&);   // [m]

@@ -2,22 +2,17 @@
 
 #include <algorithm>
 
-#include "sim/lanes.h"
-
 namespace halsted {
 namespace {
 
 constexpr int kStride = BandedMatrix::kStride, kHalf = BandedMatrix::kHalf, kBorder = StretchBand::kBorder;
 
-double* doublesOf(Lanes4* x) { return reinterpret_cast<double*>(x); }   // loaded one by one: a vector of Lanes4 need not begin at 32 bytes
-
 }  // namespace
 
 void CoupledSolve::resize(int threadNodes) {
-  nodes_ = threadNodes;
   blocks_ = threadNodes + 2;
-  inCore_.assign(blocks_, 0);
-  place_.assign(blocks_, -1);
+  inCore_.assign(blocks_ + kHands, 0);
+  place_.assign(blocks_ + kHands, -1);
   core_.reserve(kMaxCore + 6);
   first_.reserve(kMaxCore + 6);
   offset_.reserve(kMaxCore + 7);
@@ -25,12 +20,13 @@ void CoupledSolve::resize(int threadNodes) {
   degree_.reserve(kMaxCore);
   order_.reserve(kMaxCore);
   pairs_.reserve(kMaxPairs);
+  handPairs_.reserve(kMaxPairs);
   stretches_.reserve(kMaxCore + 6);
   border_.assign(static_cast<std::size_t>(3 * blocks_ + kHalf) * kBorder, 0.0);
   envelope_.assign(kMaxEnvelope, 0.0);
   values_.assign(kMaxEnvelope, 0.0);
   x_.assign(3 * blocks_ + kHalf, 0.0);
-  coreX_.assign(12 * (kMaxCore + 6), 0.0);
+  coreX_.assign(3 * (kMaxCore + 6), 0.0);
   scaled_.assign(12 * (kMaxCore + 6), 0.0);
   inverse_.assign(3 * (kMaxCore + 6), 0.0);
 }
@@ -87,36 +83,15 @@ void CoupledSolve::gatherCore(const StretchBand& band) {
 
 Envelope CoupledSolve::core() { return {coreNodes(), first_.data(), offset_.data(), envelope_.data(), inverse_.data(), scaled_.data()}; }
 
-void CoupledSolve::solveCore(double* x) {
-  const int n = 3 * coreNodes();
-  for (int i = 0; i < n; ++i) coreX_[i] = x[3 * core_[i / 3] + i % 3];
+void CoupledSolve::solveCore(double* x, double* hands) {   // [N] then [m]
+  const auto rows = [&](int block) { return block < blocks_ ? x + 3 * block : hands + 3 * (block - blocks_); };
+  const int n = coreNodes();
+  for (int i = 0; i < n; ++i) std::copy_n(rows(core_[i]), 3, &coreX_[3 * i]);
   solveEnvelope(core(), coreX_.data());
-  for (int i = 0; i < n; ++i) x[3 * core_[i / 3] + i % 3] = coreX_[i];
+  for (int i = 0; i < n; ++i) std::copy_n(&coreX_[3 * i], 3, rows(core_[i]));
 }
 
-void CoupledSolve::solveCoreFour(double* x) {
-  const int n = 3 * coreNodes();
-  for (int i = 0; i < n; ++i) std::copy_n(x + 4 * (3 * core_[i / 3] + i % 3), 4, &coreX_[4 * i]);
-  solveEnvelopeFour(core(), coreX_.data());
-  for (int i = 0; i < n; ++i) std::copy_n(&coreX_[4 * i], 4, x + 4 * (3 * core_[i / 3] + i % 3));
-}
-
-/// Going back is a chain of dependent differences: x goes with `more`, in the lane that is free there.
-void CoupledSolve::substituteAll(const StretchBand& band, double* x, std::span<Lanes4* const> more) {   // [N] then [m]
-  if (more.empty()) {
-    for (const Stretch& s : stretches_) substitute(band, s, x);
-    return;
-  }
-  double* lanes = doublesOf(more[0]);
-  for (int i = 0; i < 3 * blocks_; ++i) lanes[4 * i + 3] = x[i];
-  for (const Stretch& s : stretches_) {
-    if (more.size() == 1) substituteFour(band, s, lanes);
-    else substituteEight(band, s, lanes, doublesOf(more[1]));
-  }
-  for (int i = 0; i < 3 * blocks_; ++i) x[i] = lanes[4 * i + 3];
-}
-
-bool CoupledSolve::solve(BandedMatrix& matrix, double* x, std::span<Lanes4* const> more) {   // [N] then [m]
+bool CoupledSolve::solve(BandedMatrix& matrix, double* x) {   // [N] then [m]
   const int size = 3 * blocks_;
   double* padded = x_.data();                  // [N] then [m]
   std::copy(x, x + size, padded);
@@ -127,12 +102,8 @@ bool CoupledSolve::solve(BandedMatrix& matrix, double* x, std::span<Lanes4* cons
   for (const Stretch& s : stretches_) reduceBorder(band, s, padded);
   gatherCore(band);
   if (!factorEnvelope(core())) return false;
-  solveCore(padded);
-  for (Lanes4* three : more) {
-    for (const Stretch& s : stretches_) forwardFour(band, s, doublesOf(three));
-    solveCoreFour(doublesOf(three));
-  }
-  substituteAll(band, padded, more);
+  solveCore(padded, x + size);
+  for (const Stretch& s : stretches_) substitute(band, s, padded);
   std::copy(padded, padded + size, x);
   return true;
 }

@@ -9,6 +9,7 @@ void CoupledSolve::clearStructure() {
   std::fill(inCore_.begin(), inCore_.end(), 0);
   core_.clear();
   pairs_.clear();
+  handPairs_.clear();
   stretches_.clear();
 }
 
@@ -19,12 +20,32 @@ bool CoupledSolve::couple(int nodeA, int nodeB) {
   for (int k = 0; k < 3; ++k) fresh += (inCore_[nodeA + k] ? 0 : 1) + (inCore_[nodeB + k] ? 0 : 1);
   if (static_cast<int>(core_.size()) + fresh > kMaxCore) return false;
   for (int node : {nodeA, nodeB})
-    for (int k = 0; k < 3; ++k) {
-      if (!inCore_[node + k]) core_.push_back(node + k);
-      inCore_[node + k] = 1;
-    }
+    for (int k = 0; k < 3; ++k) enter(node + k);
   pairs_.emplace_back(nodeA, nodeB);
   return true;
+}
+
+bool CoupledSolve::coupleHand(int hand, int node) {
+  if (!handPairs_.empty() && handPairs_.back() == std::pair(hand, node)) return true;
+  if (handPairs_.size() >= kMaxPairs || !enter(handBlock(hand))) return false;
+  for (int k = 0; k < 3; ++k)
+    if (!enter(node + k)) return false;
+  handPairs_.emplace_back(hand, node);
+  return true;
+}
+
+bool CoupledSolve::enter(int block) {
+  if (inCore_[block]) return true;
+  if (coreNodes() >= kMaxCore) return false;
+  core_.push_back(block);
+  inCore_[block] = 1;
+  return true;
+}
+
+int CoupledSolve::handsHeld() const {
+  int count = 0;
+  for (int hand = 0; hand < kHands; ++hand) count += holdsHand(hand) ? 1 : 0;
+  return count;
 }
 
 void CoupledSolve::findStretches() {
@@ -47,7 +68,7 @@ void CoupledSolve::linkNeighbours() {
   const int n = coreNodes();
   for (int i = 0; i < n; ++i) std::fill_n(graph_.begin() + static_cast<std::size_t>(i) * kMaxCore, n, 0);
   for (int node : core_)
-    for (int back = 0; back <= 3 && node - back >= 0; ++back)
+    for (int back = 0; back <= (node < blocks_ ? 3 : 0) && node - back >= 0; ++back)
       if (inCore_[node - back]) connect(node, node - back);
   for (const Stretch& s : stretches_) {
     if (s.first < 2 || s.last + 2 >= blocks_) continue;
@@ -57,17 +78,20 @@ void CoupledSolve::linkNeighbours() {
   for (const auto& [a, b] : pairs_)
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) connect(a + i, b + j);
+  for (const auto& [hand, node] : handPairs_)
+    for (int i = 0; i < 3; ++i) connect(handBlock(hand), node + i);
 }
 
 /// Reverse Cuthill-McKee: breadth first from a node of least degree, neighbours of lesser degree first, then backward. Ties by index.
+/// The hands, in the last places, stay there.
 void CoupledSolve::orderCore() {
-  const int n = coreNodes();
+  const int n = coreNodes() - handsHeld();
   const auto linked = [&](int i, int j) { return graph_[static_cast<std::size_t>(i) * kMaxCore + j] != 0; };
   degree_.assign(n, 0);
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) degree_[i] += linked(i, j) ? 1 : 0;
   order_.clear();
-  first_.assign(n, 0);                         // for the moment: whether a place has been visited
+  first_.assign(coreNodes(), 0);               // for the moment: whether a place has been visited
   for (int head = 0; head < n; ++head) {
     if (head == static_cast<int>(order_.size())) {
       int seed = -1;
@@ -85,6 +109,7 @@ void CoupledSolve::orderCore() {
     }
   }
   std::reverse(order_.begin(), order_.end());
+  for (int hand = n; hand < coreNodes(); ++hand) order_.push_back(hand);
 }
 
 bool CoupledSolve::closeStructure() {

@@ -37,19 +37,15 @@ template <int Border> HALSTED_INLINE void eliminateColumn(double* row, double* b
   else eliminateRows<kFar, Border>(row, border, inverse, xj, x, std::make_integer_sequence<int, kFar>());
 }
 
-template <int Reach, typename L> HALSTED_INLINE L lessEntries(const double* row, const double* x, L next, L sum) {   // [any]
-  sum = sum - row[1] * next;
-  for (int k = 2; k <= Reach; ++k) sum = sum - row[k] * loadLanes<L>(x + LaneCount<L>::value * k);
-  return sum;
+template <int Reach> HALSTED_INLINE double lessEntries(const double* row, const double* x, double next, double sum) {   // [any]
+  for (int k = Reach; k > 1; --k) sum -= row[k] * x[k];
+  return sum - row[1] * next;
 }
 
-/// `sum` less what the row's entries behind the diagonal take of `x`, which begins at the diagonal: one right-hand side or four. `next` is
-/// what stands in the next row of `x`.
-template <typename L> HALSTED_INLINE L lessRow(const double* row, const double* x, L next, L sum) {   // [any]
+/// `sum` less what the row's entries behind the diagonal take of `x`, which begins at the diagonal. `next` is what stands in the next row of
+/// `x`: it is just being made, and is taken last.
+HALSTED_INLINE double lessRow(const double* row, const double* x, double next, double sum) {   // [any]
   return staysNear(row) ? lessEntries<BandedMatrix::kBending>(row, x, next, sum) : lessEntries<BandedMatrix::kHalf>(row, x, next, sum);
 }
-
-/// How many entries behind its diagonal a row has, of the `behind` rows that follow it.
-HALSTED_INLINE int reachOf(const double* row, int behind) { return std::min(behind, staysNear(row) ? BandedMatrix::kBending : BandedMatrix::kHalf); }   // [any]
 
 }  // namespace halsted

@@ -137,49 +137,12 @@ template <typename L> HALSTED_INLINE bool factorBody(const Envelope& e) {
   return true;
 }
 
-template <typename L> HALSTED_INLINE void solveBody(const Envelope& e, double* x) {   // [N] then [m]
-  for (int block = 0; block < e.blocks; ++block) {
-    const BlockRow l(e, block);
-    L sum[3];
-    for (L& s : sum) s = zeroLanes<L>();
-    for (int k = l.begin; k < l.diagonal; ++k) {
-      const L other = loadLanes<L>(x + 4 * k);
-      for (int r = 0; r < 3; ++r) sum[r] = sum[r] + l.row[r][k - l.begin] * other;
-    }
-    for (int r = 0; r < 3; ++r) {
-      for (int k = l.diagonal; k < l.diagonal + r; ++k) sum[r] = sum[r] + l.row[r][k - l.begin] * loadLanes<L>(x + 4 * k);
-      storeLanes(x + 4 * (l.diagonal + r), loadLanes<L>(x + 4 * (l.diagonal + r)) - sum[r]);
-    }
-  }
-  for (int i = 0; i < 3 * e.blocks; ++i) storeLanes(x + 4 * i, loadLanes<L>(x + 4 * i) * e.inverse[i]);
-  for (int block = e.blocks - 1; block >= 0; --block) {
-    const BlockRow l(e, block);
-    L own[3];
-    for (int r = 0; r < 3; ++r) own[r] = loadLanes<L>(x + 4 * (l.diagonal + r));
-    for (int r = 2; r > 0; --r)
-      for (int k = 0; k < r; ++k) own[k] = own[k] - l.row[r][l.diagonal + k - l.begin] * own[r];
-    for (int r = 0; r < 3; ++r) storeLanes(x + 4 * (l.diagonal + r), own[r]);
-    for (int j = l.begin; j < l.diagonal; ++j) {
-      L value = loadLanes<L>(x + 4 * j);
-      for (int r = 2; r >= 0; --r) value = value - l.row[r][j - l.begin] * own[r];
-      storeLanes(x + 4 * j, value);
-    }
-  }
-}
-
 __attribute__((target("avx2"))) bool factorWide(const Envelope& e) { return factorBody<Lanes4>(e); }
 bool factorNarrow(const Envelope& e) { return factorBody<Serial4>(e); }
-__attribute__((target("avx2"))) void solveWide(const Envelope& e, double* x) { solveBody<Lanes4>(e, x); }   // [N] then [m]
-void solveNarrow(const Envelope& e, double* x) { solveBody<Serial4>(e, x); }                                // [N] then [m]
 
 }  // namespace
 
 bool factorEnvelope(const Envelope& e, LanePath path) { return path == LanePath::kWide ? factorWide(e) : factorNarrow(e); }
-
-void solveEnvelopeFour(const Envelope& e, double* x, LanePath path) {   // [N] then [m]
-  if (path == LanePath::kWide) solveWide(e, x);
-  else solveNarrow(e, x);
-}
 
 void solveEnvelope(const Envelope& e, double* x) {   // [N] then [m]
   for (int block = 0; block < e.blocks; ++block) {

@@ -19,7 +19,5 @@ struct Envelope {
 bool factorEnvelope(const Envelope&, LanePath = widestLanes());
 /// x := A^-1 x, once factored.
 void solveEnvelope(const Envelope&, double* x);   // [N] then [m]
-/// Four right-hand sides side by side: rows of four.
-void solveEnvelopeFour(const Envelope&, double* x, LanePath = widestLanes());   // [N] then [m]
 
 }  // namespace halsted

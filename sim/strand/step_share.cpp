@@ -25,10 +25,10 @@ void gatherMoved(const StrandWork& w, ThreadContactWork& t) {
   for (int i = 0; i < static_cast<int>(t.points.size()); ++i) {
     const TouchingPoint& c = t.points[i];
     MovedContact moved;
-    moved.relative = relativePoint(w.iterate, c, t.border);
+    moved.relative = relativePoint(w.iterate, c, t.hands);
     moved.way = correctionOf(w.rhs, c.sample);
     if (!c.solid) moved.way -= correctionOf(w.rhs, c.partner);
-    else if (c.owner >= 0) moved.way -= t.border.tool[c.owner].correction;
+    else if (c.owner >= 0) moved.way -= t.hands.tool[c.owner].correction;
     const double before = c.normal.dot(moved.relative), after = before + c.normal.dot(moved.way);   // [m]
     if (before >= c.reach && after >= c.reach) continue;
     moved.point = i;
@@ -54,7 +54,6 @@ double slopeAt(double share, double gain, const ThreadContactWork& t) {   // [1]
 double shareOfCorrection(const StrandWork& w, ThreadContactWork& t) {   // [1]
   double gain = 0.0;                           // [J]
   for (std::size_t i = 0; i < w.load.size(); ++i) gain += w.load[i] * w.rhs[i];
-  for (int h = 0; h < kHands; ++h) gain += t.border.tool[h].correction.dot(t.border.force[h]);
   gatherMoved(w, t);
   double low = 0.0, atLow = -gain, high = 1.0, atHigh = slopeAt(1.0, gain, t);   // [1], [J]
   if (!(atHigh > kOvershoot * gain)) return 1.0;
@@ -75,7 +74,7 @@ double takeCorrection(StrandWork& w, ThreadContactWork& t) {   // [1]
   const double share = shareOfCorrection(w, t);   // [1]
   if (share < 1.0)
     for (double& u : w.rhs) u *= share;
-  shiftHands(share, t.border);
+  shiftHands(share, t.hands);
   return share;
 }
 

@@ -6,8 +6,8 @@ namespace halsted {
 StrandWork prepareWork(const StrandModel& m) {
   StrandWork w;
   w.matrix.resize(3 * m.nodes + 6);
-  w.rhs.resize(3 * m.nodes + 6);
-  w.load.resize(3 * m.nodes + 6);
+  w.rhs.resize(3 * m.nodes + 6 + 3 * kHands);
+  w.load.resize(w.rhs.size());
   w.iterate.resize(m.nodes);
   w.inertial.resize(m.nodes);
   return w;

@@ -32,7 +32,7 @@ struct ThreadTouch;                            // sim/strand/thread_contacts.h
 struct StrandWork {
   static constexpr int kMaxLinks = 384;
   BandedMatrix matrix;
-  std::vector<double> rhs, load;               // [N], then the solution [m]; [N] that it answers
+  std::vector<double> rhs, load;               // [N], then the solution [m]; [N] that it answers. Nodes, needle, hands that give way
   std::vector<Vec3> iterate, inertial;         // [m] Newton iterate; where inertia alone would go
   std::array<StrandLink, kMaxLinks> links;
   int linkCount = 0;

@@ -200,10 +200,9 @@ void finish(const StrandModel& m, double dt, const NeedleIterate& n, StrandState
 
 bool solveSystem(StrandWork& w, ThreadTouch* touch) {
   if (!touch) return w.matrix.factorAndSolve(w.rhs.data());
-  const std::span<Lanes4* const> columns = copyColumns(touch->work.border);
-  const bool solved = touch->work.coupledStep ? touch->work.coupled.solve(w.matrix, w.rhs.data(), columns) : w.matrix.factorAndSolve(w.rhs.data(), columns);
-  if (!solved) return false;
-  moveHands(touch->work.border, w.rhs);
+  ThreadContactWork& t = touch->work;
+  if (!(t.coupledStep ? t.coupled.solve(w.matrix, w.rhs.data()) : w.matrix.factorAndSolve(w.rhs.data()))) return false;
+  readHands(w.rhs, t.coupled, t.hands);
   return true;
 }
 
@@ -213,7 +212,7 @@ Outcome iterate(Assembly& assembly, const Vec3& gravity, StrandState& s, NeedleI
   const StrandModel& m = assembly.model();
   const double tolerance = std::min(kLengthTolerance, 1e-3 * m.finest);   // [m]
   w.iterate = w.inertial;
-  if (touch) beginBorder(touch->work.border);
+  if (touch) beginHands(touch->work.hands);
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     ++w.iterations;
     w.matrix.setZero();

@@ -29,7 +29,7 @@ void beginTouch(const StrandModel& m, const StrandState& s, double dt, ThreadTou
 }
 
 bool stillMoving(const StrandModel& m, const std::vector<double>& correction, const ThreadContactWork& w) {
-  double most = w.border.moved * w.border.moved;   // [m^2]
+  double most = w.hands.moved * w.hands.moved;   // [m^2]
   for (const TouchingPoint& c : w.points)
     for (int node : {c.sample.node, c.sample.node + 1, c.sample.node + 2})
       for (int r = 0; r < 3; ++r) most = std::max(most, correction[3 * node + r] * correction[3 * node + r]);

@@ -26,10 +26,4 @@ void reduceBorder(const StretchBand&, const Stretch&, double* x, LanePath = wide
 /// Once the blocks that stay are solved for.
 void substitute(const StretchBand&, const Stretch&, double* x);   // [N] then [m]
 
-/// What elimination does to four more right-hand sides, in rows of four; and their substitution.
-void forwardFour(const StretchBand&, const Stretch&, double* x, LanePath = widestLanes());   // [N]
-void substituteFour(const StretchBand&, const Stretch&, double* x, LanePath = widestLanes());   // [N] then [m]
-/// Two times four, which takes hardly longer.
-void substituteEight(const StretchBand&, const Stretch&, double* x, double* y, LanePath = widestLanes());   // [N] then [m]
-
 }  // namespace halsted

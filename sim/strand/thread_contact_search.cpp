@@ -19,15 +19,14 @@ void boundPieces(const StrandModel& m, const StrandState& s, ThreadContactWork& 
     const double a = (0.5 * (s.position[p] + s.position[p + 1]) - centre).squaredNorm();       // [m^2]
     const double b = (0.5 * (s.position[p + 1] + s.position[p + 2]) - centre).squaredNorm();   // [m^2]
     const double c = (s.position[p + 1] - centre).squaredNorm();                               // [m^2]
-    w.pieceCentre[p] = centre;
-    w.pieceRadius[p] = std::sqrt(std::max(a, std::max(b, c)));
+    w.pieces.set(p, centre, std::sqrt(std::max(a, std::max(b, c))));
     w.sampled[p].filled = false;
   }
   for (std::size_t chunk = 0; chunk < w.chunkCentre.size(); ++chunk) {
     const int begin = static_cast<int>(chunk) * kChunk, end = std::min(pieces, begin + kChunk);
-    const Vec3 centre = w.pieceCentre[(begin + end) / 2];
+    const Vec3 centre = w.pieces.centre((begin + end) / 2);
     double radius = 0.0;                       // [m]
-    for (int p = begin; p < end; ++p) radius = std::max(radius, (w.pieceCentre[p] - centre).norm() + w.pieceRadius[p]);
+    for (int p = begin; p < end; ++p) radius = std::max(radius, (w.pieces.centre(p) - centre).norm() + w.pieces.radius[p]);
     w.chunkCentre[chunk] = centre;
     w.chunkRadius[chunk] = radius;
   }
@@ -55,14 +54,15 @@ class Search {
   bool chunkPair(int a, int b) {
     const int pieces = model_.nodes - 2;
     const int endA = std::min(pieces, kChunk * (a + 1)), endB = std::min(pieces, kChunk * (b + 1));
-    const double far = 2.4 * dt_ * work_.fastest;                      // [m]
+    const double far = reach_ + 2.4 * dt_ * work_.fastest;             // [m]
+    int near[kChunk];
     for (int p = kChunk * a; p < endA; ++p) {
       if (ends(p)) continue;
-      const Vec3 centre = work_.pieceCentre[p];
-      const double radius = work_.pieceRadius[p];                      // [m]
-      for (int q = std::max(kChunk * b, work_.firstBeyond[p]); q < endB; ++q) {
-        const double sum = radius + work_.pieceRadius[q] + reach_ + far;   // [m]
-        if ((centre - work_.pieceCentre[q]).squaredNorm() > sum * sum || ends(q)) continue;
+      const int from = std::max(kChunk * b, work_.firstBeyond[p]);
+      const int count = spheresNear(work_.pieces, from, endB, work_.pieces.centre(p), work_.pieces.radius[p] + far, near, path_);
+      for (int k = 0; k < count; ++k) {
+        const int q = near[k];
+        if (ends(q)) continue;
         fill(p);
         fill(q);
         const double reach = reach_ + 1.2 * dt_ * relativeSpeed(work_, p, q);   // [m]
@@ -82,12 +82,13 @@ class Search {
     for (int k = 0; k < count; ++k) piece.points.set(k, curvePoint(state_.position, curveWeights(p, (k + 0.5) / count)));
   }
   bool samples(int own, int other, double reach) {   // [m]
-    const double sum = work_.pieceRadius[own] + work_.pieceRadius[other] + reach;   // [m]
-    if ((work_.pieceCentre[own] - work_.pieceCentre[other]).squaredNorm() > sum * sum) return true;
+    const Vec3 centre = work_.pieces.centre(other);
+    const double sum = work_.pieces.radius[own] + work_.pieces.radius[other] + reach;   // [m]
+    if ((work_.pieces.centre(own) - centre).squaredNorm() > sum * sum) return true;
     const int count = work_.samples[own];
     const PointRow& points = work_.sampled[own].points;
     std::array<double, PointRow::kMost> places;                        // [1]
-    nearestPlaces(pieceShape(state_.position, other), points, count, {work_.pieceCentre[other], work_.pieceRadius[other] + reach + kRounding}, places, path_);
+    nearestPlaces(pieceShape(state_.position, other), points, count, {centre, work_.pieces.radius[other] + reach + kRounding}, places, path_);
     for (int k = 0; k < count; ++k) {
       const double place = places[k];                                  // [1]
       if (place < 0.0) continue;

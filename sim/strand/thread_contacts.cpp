@@ -35,10 +35,23 @@ void indexRecords(const ThreadContactState& state, ThreadContactWork& w) {
   }
 }
 
+/// Whether a contact is one with a hand's tool that gives way to thread.
+bool gives(const TouchingPoint& c, const ThreadContactWork& w) { return c.owner >= 0 && w.hands.tool[c.owner].spring > 0.0; }
+
+void beginCoupling(ThreadContactWork& w) {
+  w.coupled.clearStructure();
+  w.coupledStep = w.tie.stiffness > 0.0 && w.coupled.couple(w.tie.first.node, w.tie.second.node);
+}
+
+bool couple(const TouchingPoint& c, ThreadContactWork& w) {
+  if (!c.solid) return w.coupled.couple(c.sample.node, c.partner.node);
+  return !gives(c, w) || w.coupled.coupleHand(c.owner, c.sample.node);
+}
+
 /// Completes a contact whose partner and normal are known, and keeps it if there is room.
 void keepPoint(TouchingPoint& c, ThreadTouch& touch) {
   ThreadContactWork& w = touch.work;
-  if (w.points.size() >= kMostPoints || (!c.solid && !w.coupled.couple(c.sample.node, c.partner.node))) {
+  if (w.points.size() >= kMostPoints || !couple(c, w)) {
     ++touch.state.dropped;
     return;
   }
@@ -46,7 +59,7 @@ void keepPoint(TouchingPoint& c, ThreadTouch& touch) {
     c.carried = old->friction - old->friction.dot(c.normal) * c.normal;
     c.normalForce = old->normalForce;
   }
-  w.coupledStep = w.coupledStep || !c.solid;
+  w.coupledStep = w.coupledStep || !c.solid || gives(c, w);
   w.points.push_back(c);
 }
 
@@ -113,14 +126,14 @@ void findSolids(const StrandModel& m, const StrandState& s, double dt, ThreadTou
         continue;
       }
       if (m.place[p + 1] > body.freeFrom && m.place[p + 1] < body.freeTo) continue;
-      if (touch.state.cut[p] || touch.state.cut[p + 1] || clearOf(body, w.pieceCentre[p], reach + w.pieceRadius[p])) continue;
+      if (touch.state.cut[p] || touch.state.cut[p + 1] || clearOf(body, w.pieces.centre(p), reach + w.pieces.radius[p])) continue;
       for (int k = 0; k < w.samples[p]; ++k) keepSolid(m, s, {p * kMostSamples + k, solid}, touch, dt);
     }
   }
 }
 
-bool answerOf(const std::vector<Vec3>& x, const ToolBorder& border, TouchingPoint& c, ContactAnswer& out) {
-  return answerAt(relativePoint(x, c, border), c, out);
+bool answerOf(const std::vector<Vec3>& x, const GivingTools& hands, TouchingPoint& c, ContactAnswer& out) {
+  return answerAt(relativePoint(x, c, hands), c, out);
 }
 
 void addOwn(const CurveWeights& w, const ContactAnswer& answer, double sign, BandedMatrix& matrix, std::vector<double>& rhs) {
@@ -141,6 +154,14 @@ void addCross(const TouchingPoint& c, const Mat3& stiffness, CoupledSolve& coupl
       if (i != j) coupled.add(std::max(i, j), std::min(i, j), block);
       else coupled.add(i, j, 2.0 * block);
     }
+}
+
+/// A tangle beyond the solver's room: thread passes thread in this step, and what that lets pass is counted.
+void keepSolidsOnly(ThreadTouch& touch) {
+  ThreadContactWork& w = touch.work;
+  beginCoupling(w);
+  touch.state.dropped += static_cast<int>(std::erase_if(w.points, [&](const TouchingPoint& c) { return !c.solid || !couple(c, w); }));
+  w.coupledStep = !w.coupled.empty() && w.coupled.closeStructure();
 }
 
 /// A thread cannot be bent tighter than its own width.
@@ -167,8 +188,7 @@ ThreadContactWork prepareContactWork(const StrandModel& m, const ThreadContactPa
   w.coupled.resize(m.nodes);
   w.points.reserve(kMostPoints);
   w.moved.reserve(kMostPoints);
-  w.pieceCentre.assign(pieces, Vec3::Zero());
-  w.pieceRadius.assign(pieces, 0.0);
+  w.pieces.resize(pieces);
   w.chunkCentre.assign(chunks, Vec3::Zero());
   w.chunkRadius.assign(chunks, 0.0);
   for (int p = 0; p < pieces; ++p) {
@@ -177,7 +197,6 @@ ThreadContactWork prepareContactWork(const StrandModel& m, const ThreadContactPa
     w.samples.push_back(std::clamp(static_cast<int>(w.pieceLength[p] / m.radius) + 1, kFewestSamples, kMostSamples));
   }
   w.recordOfSample.assign(pieces * kMostSamples, -1);
-  resizeBorder(3 * m.nodes + 6, w.border);
   w.nextRecord.assign(ThreadContactState::kMaxContacts, -1);
   w.tension.assign(m.nodes - 1, 0.0);
   w.allowance.assign(pieces, 0.0);
@@ -189,30 +208,25 @@ ThreadContactWork prepareContactWork(const StrandModel& m, const ThreadContactPa
 void findThreadContacts(const StrandModel& m, const StrandState& s, double dt, ThreadTouch& touch) {
   ThreadContactWork& w = touch.work;
   w.points.clear();
-  w.coupled.clearStructure();
   indexRecords(touch.state, w);
-  const bool tied = w.tie.stiffness > 0.0 && w.coupled.couple(w.tie.first.node, w.tie.second.node);
-  w.coupledStep = tied;
+  beginCoupling(w);
   if (!searchNear(m, s, dt, touch)) ++touch.state.dropped;
   for (const NearPair& near : w.near)
     if (mayTouch(near, dt, w)) keepPair(m, s, near, touch);
   findSolids(m, s, dt, touch);
-  if (!w.coupledStep || w.coupled.closeStructure()) return;
-  // A tangle beyond the solver's room: thread passes thread in this step, and it is counted.
-  touch.state.dropped += static_cast<int>(w.points.size());
-  std::erase_if(w.points, [](const TouchingPoint& c) { return !c.solid; });
-  w.coupledStep = false;
+  if (w.coupledStep && !w.coupled.closeStructure()) keepSolidsOnly(touch);
+  if (!w.coupledStep) w.coupled.clearStructure();
 }
 
 void assembleThreadContacts(const std::vector<Vec3>& iterate, BandedMatrix& matrix, std::vector<double>& rhs, ThreadContactWork& w) {
-  clearBorder(w.border);
   if (w.coupledStep) w.coupled.clearValues();
+  assembleHands(w.hands, rhs, w.coupled);
   if (w.coupledStep && w.tie.stiffness > 0.0) assembleTie(w.tie, iterate, matrix, rhs, w.coupled);
   ContactAnswer answer;
   for (TouchingPoint& c : w.points) {
-    if (!answerOf(iterate, w.border, c, answer)) continue;
+    if (!answerOf(iterate, w.hands, c, answer)) continue;
     addOwn(c.sample, answer, 1.0, matrix, rhs);
-    if (c.owner >= 0) addToBorder(c.owner, c.sample, answer.force, answer.stiffness, w.border);
+    if (c.owner >= 0) addToHand(c.owner, c.sample, answer.force, answer.stiffness, w.hands, rhs, w.coupled);
     if (c.solid) continue;
     addOwn(c.partner, answer, -1.0, matrix, rhs);
     addCross(c, answer.stiffness, w.coupled);
@@ -224,7 +238,7 @@ void settleThreadContacts(const StrandState& s, ThreadTouch& touch) {
   int kept = 0;
   ContactAnswer answer;
   for (TouchingPoint& c : touch.work.points) {
-    if (!answerOf(s.position, touch.work.border, c, answer)) continue;
+    if (!answerOf(s.position, touch.work.hands, c, answer)) continue;
     if (kept == ThreadContactState::kMaxContacts) { ++state.dropped; continue; }
     c.record.normalForce = c.normalForce;
     c.record.friction = c.friction;
@@ -232,7 +246,7 @@ void settleThreadContacts(const StrandState& s, ThreadTouch& touch) {
   }
   for (int i = kept; i < state.count; ++i) state.contacts[i] = ThreadContact{};
   state.count = kept;
-  settleBorder(touch.work.border);
+  settleHands(touch.work.hands);
 }
 
 Vec3 forceOnSolid(const ThreadContactWork& w, int solid) {

@@ -13,6 +13,7 @@
 #include "sim/strand/coupled_solve.h"
 #include "sim/strand/giving_tools.h"
 #include "sim/strand/nearest_places.h"
+#include "sim/strand/piece_spheres.h"
 #include "sim/strand/strand_model.h"
 #include "sim/strand/strand_state.h"
 #include "sim/strand/thread_curve.h"
@@ -93,11 +94,12 @@ struct ThreadContactWork {
   std::span<const ThreadSolid> solids;         // set by the caller before each step
   ThreadTie tie;                               // set by the caller before each step
   CoupledSolve coupled;
-  ToolBorder border;                           // its tools are set by the caller before each step
+  GivingTools hands;                           // what they are, the caller sets before each step
   std::vector<TouchingPoint> points;
   std::vector<MovedContact> moved;             // by the correction under way
-  std::vector<Vec3> chunkCentre, pieceCentre;  // [m]
-  std::vector<double> chunkRadius, pieceRadius, pieceLength;   // [m]; at rest
+  PieceSpheres pieces;
+  std::vector<Vec3> chunkCentre;               // [m]
+  std::vector<double> chunkRadius, pieceLength;   // [m]; at rest
   std::vector<std::int32_t> samples;           // of each piece: no farther apart than the thread is thick
   std::vector<std::int32_t> firstBeyond;       // after each piece, the first that may touch it
   std::vector<std::int32_t> recordOfSample, nextRecord;
@@ -106,7 +108,7 @@ struct ThreadContactWork {
   std::vector<NearPair> near;                  // what the search found
   std::vector<SampledPiece> sampled;           // per piece
   double fastest = 0.0;                        // [m/s] of any node
-  bool coupledStep = false;                    // thread touches thread in this step
+  bool coupledStep = false;                    // thread touches thread, or a hand that gives way, in this step
 };
 
 /// Both together: what `solveStrand` takes.

@@ -51,7 +51,7 @@ class Substeps {
       thread_[hand] = gripFrom(m, s, motion.grasps[hand].thread, t.threadForce);
       const double spring = m.params.tools[hand].couplingStiffness;   // [N/m]
       offset_[hand] = threadPush(m, s, hand) / spring;
-      s.work.threadContacts.border.tool[hand] = {spring, offset_[hand], Vec3::Zero()};
+      s.work.threadContacts.hands.tool[hand] = {spring, offset_[hand], Vec3::Zero()};
     }
     for (int turn = 0; turn < s.work.strand.turnCount; ++turn) turnTo_[turn] = s.work.strand.turns[turn].target;
   }
@@ -82,7 +82,7 @@ class Substeps {
     solid.friction = model_.params.contact.threadToolFriction;
     const int hand = solidHand(k);
     solid.owner = hand;
-    if (hand >= 0) moveSolid(state_.work.threadContacts.border.tool[hand].offset - offset_[hand], solid);
+    if (hand >= 0) moveSolid(state_.work.threadContacts.hands.tool[hand].offset - offset_[hand], solid);
     if (hand >= 0 && state_.tools[hand].through) {               // it would take thread along through the wall
       solid.freeFrom = 0.0;
       solid.freeTo = tipCoordinate(model_.strand);
@@ -159,7 +159,7 @@ bool solveKnottedStrand(const Model& m, const KnottingMotion& motion, State& s, 
 
 void settleToolForces(State& s) {
   for (int hand = 0; hand < kHands; ++hand) {
-    const GivingTool& t = s.work.threadContacts.border.tool[hand];
+    const GivingTool& t = s.work.threadContacts.hands.tool[hand];
     s.tools[hand].strandForce += t.spring * t.offset;
   }
 }

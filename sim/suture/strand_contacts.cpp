@@ -20,6 +20,7 @@ constexpr double kSolidStiffness = 800.0;      // [N/m] strand against steel, pe
 constexpr double kStickSlide = 2e-7;           // [m] per step: below it friction holds (0.2 mm/s of creep)
 constexpr double kWedged = 0.3e-3;             // [m] below an edge: so far thread has cut in
 constexpr double kCoarse = 1.5e-3;             // [m] nodes that lie closer cannot pass a wall on both sides
+constexpr double kAbout = 1e-3;                // [m] from a solid within which a sample may come to touch it
 
 /// What the tissue gives under one sample while its neighbours, and the holes, push too.  [m/N]
 double giveOfTissue(const Model& m, const StrandSample& x, const SurfacePoint& near, State& state) {
@@ -201,12 +202,21 @@ void touchBetween(const Model& m, int node, const SurfacePoint& before, const Su
   if (m.params.thread.knots || out.distance < -kWedged) touchTissue(m, x, out, state, fresh);
 }
 
+/// Farther than `reach` even from a solid without ends: so are most samples from most solids, and this takes neither root nor quotient.
+bool outOfReach(const Vec3& p, const CapsuleShape& c, double reach) {   // [m]
+  constexpr double kRounding = 1e-6;           // [m] of the test behind it
+  const Vec3 along = c.b - c.a;
+  const double far = c.radius + reach + kRounding;   // [m]
+  return (p - c.a).cross(along).squaredNorm() > far * far * along.squaredNorm();
+}
+
 void touchSolid(const Model& m, const StrandSample& x, const SolidMotion& motion, int solid, State& state, int& fresh) {
   const CapsuleShape& c = motion.now[solid];
+  if (outOfReach(x.predicted, c, x.radius + kAbout)) return;
   const double f = closestOnSegment(x.predicted, c.a, c.b);
   const Vec3 axis = c.a + f * (c.b - c.a), away = x.predicted - axis;
   const double distance = away.norm();
-  if (distance > c.radius + x.radius + 1e-3 || distance < 1e-9) return;
+  if (distance > c.radius + x.radius + kAbout || distance < 1e-9) return;
   const CapsuleShape& b = motion.before[solid];
   Touch t;
   t.normal = away / distance;

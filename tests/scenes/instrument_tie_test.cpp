@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "scenes/expert_state.h"
 #include "scenes/tie_phases.h"
@@ -15,7 +16,7 @@ namespace {
 constexpr double kWanted = 5.0;                // [N] that a knot must bear
 
 struct Tied : TiedWall {
-  Tied(const std::string& throws, const std::string& newtons, const std::string& then = "") {
+  Tied(const std::string& throws, const std::string& newtons, const std::string& then = "", double gravity = 0.0) : TiedWall(tiedWallParams(gravity)) {   // [m/s^2]
     const std::string tie = "[[action]]\ndo = \"tie\"\ntie = \"" + throws + "\"\ntension_n = " + newtons + "\nlimit_s = 120\n";
     EXPECT_TRUE(act(tie + then)) << failure;
     EXPECT_EQ(state.threadContacts.dropped, 0) << "thread has passed through thread";
@@ -53,16 +54,22 @@ TEST(InstrumentTie, ASingleThrowIsReadAndSlips) {
   EXPECT_LT(w.stitchLeftAlone(), 0.005);       // [N] under a single throw the stitch gives up all its tension
 }
 
+/// Tying is chaotic: three ties, that differ by 10 pN of weight a gram, and the middle of what they keep.
 TEST(InstrumentTie, ThrowsOfOppositeSenseLockTheOneBeforeAndHold) {
-  Tied w("1=1=1", "3.0");
-  EXPECT_NE(std::find(w.read.begin(), w.read.end(), "square"), w.read.end()) << "after the second throw";
-  EXPECT_EQ(w.reading(), "1=1=1");
-  EXPECT_EQ(w.seen(Quantity::kThrows), 3);
-  EXPECT_EQ(w.seen(Quantity::kKnotLocks), 2);
-  EXPECT_EQ(w.seen(Quantity::kWrongThrows), 0);
-  EXPECT_GT(w.seen(Quantity::kTailTension), 2.0);   // [N]
-  EXPECT_TRUE(w.pull().held);
-  EXPECT_GT(w.stitchLeftAlone(), 0.04);        // [N] under locked throws it keeps some, of the little that is left once the first has borne it alone
+  std::array<double, 3> kept{};                // [N]
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    Tied w("1=1=1", "3.0", "", 1e-8 * static_cast<double>(i));
+    EXPECT_NE(std::find(w.read.begin(), w.read.end(), "square"), w.read.end()) << "after the second throw";
+    EXPECT_EQ(w.reading(), "1=1=1");
+    EXPECT_EQ(w.seen(Quantity::kThrows), 3);
+    EXPECT_EQ(w.seen(Quantity::kKnotLocks), 2);
+    EXPECT_EQ(w.seen(Quantity::kWrongThrows), 0);
+    EXPECT_GT(w.seen(Quantity::kTailTension), 2.0);   // [N]
+    EXPECT_TRUE(w.pull().held);
+    kept[i] = w.stitchLeftAlone();
+  }
+  std::sort(kept.begin(), kept.end());
+  EXPECT_GT(kept[1], 0.04);                    // [N] under locked throws it keeps some, of the little that is left once the first has borne it alone
 }
 
 /// A double throw, of two turns round the driver, under two single ones that are wound to and fro.

@@ -10,8 +10,9 @@
 
 namespace halsted {
 
-inline SimParams tiedWallParams() {
+inline SimParams tiedWallParams(double gravity = 0.0) {   // [m/s^2]
   SimParams p = wallParams();
+  p.gravity.z() -= gravity;
   p.needle.tearForce = 50.0;                   // the knot is what is tested
   p.thread.nodes = 66;
   p.thread.fineFrom = 10e-3;

@@ -47,20 +47,6 @@ TEST(BandedMatrix, SolvesAsADenseFactorisationDoes) {
   }
 }
 
-TEST(BandedMatrix, SolvesFourMoreAtATimeBesides) {
-  for (int size : {1, 12, -66, 180, -180}) {                             // negative: mixed
-    Pair a(std::abs(size), static_cast<unsigned>(size), size < 0);
-    size = std::abs(size);
-    Eigen::VectorXd x = Eigen::VectorXd::Random(size);
-    const Eigen::MatrixXd rhs = Eigen::MatrixXd::Random(size, 4), expected = a.dense.ldlt().solve(rhs);
-    std::vector<Lanes4> four(size);
-    for (int i = 0; i < size; ++i) four[i] = Lanes4{rhs(i, 0), rhs(i, 1), rhs(i, 2), rhs(i, 3)};
-    ASSERT_TRUE(a.banded.factorAndSolve(x.data(), std::array{four.data()})) << size;
-    for (int i = 0; i < size; ++i)
-      for (int k = 0; k < 4; ++k) EXPECT_NEAR(four[i][k], expected(i, k), 1e-10 * expected.norm()) << size << ", " << i << ", " << k;
-  }
-}
-
 TEST(BandedMatrix, ReadsBackBothTrianglesAndNothingOutsideTheBand) {
   const Pair a(40, 7);
   for (int i = 0; i < 40; ++i)

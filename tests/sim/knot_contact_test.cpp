@@ -144,14 +144,14 @@ Pinch pinched(int left, int right) {           // who moves each
     post.radius = 1e-3;
     rig.solids.push_back(post);
   }
-  for (GivingTool& hand : rig.contactWork.border.tool) hand.spring = kHand;
+  for (GivingTool& hand : rig.contactWork.hands.tool) hand.spring = kHand;
   Pinch most;
   for (int k = 0; k <= 40; ++k) {
     const double speed = 0.1, apart = 1.3e-3 - k * speed * rig.dt;   // [m/s] [m] from the thread to either post's axis
     for (int i = 0; i < 2; ++i) {
       const Vec3 at((i ? 1.0 : -1.0) * apart, 0.0, 0.0), before = at * ((apart + speed * rig.dt) / apart), up(0.0, 0.0, 10e-3);
       const int owner = rig.solids[i].owner;
-      const Vec3 given = owner < 0 ? Vec3(Vec3::Zero()) : rig.contactWork.border.tool[owner].offset;   // [m]
+      const Vec3 given = owner < 0 ? Vec3(Vec3::Zero()) : rig.contactWork.hands.tool[owner].offset;   // [m]
       rig.solids[i].a = at + given - up, rig.solids[i].b = at + given + up;
       rig.solids[i].fromA = before + given - up, rig.solids[i].fromB = before + given + up;
     }
@@ -181,20 +181,20 @@ TEST(ThreadContact, AHandSentAcrossATautThreadStopsWhereTheirForcesBalance) {
   KnotRig rig(p, straight);
   rig.hold(0, 1e7);
   rig.hold(54, 1e7);
-  rig.contactWork.border.tool[0].spring = kHand;
+  rig.contactWork.hands.tool[0].spring = kHand;
   ThreadSolid post;
   post.owner = 0;
   post.radius = 1e-3;
   const double touching = post.radius + p.thread.radius;   // [m] from the post's axis to the thread's
   double least = 1e9, most = 0.0, given = 0.0;   // [N], [N], [m] over the last hundred steps
   for (int k = 0; k < 300; ++k) {
-    const Vec3 at = (k == 0 ? 0.0 : kSent) * Vec3::UnitX() - touching * Vec3::UnitX() + rig.contactWork.border.tool[0].offset;
+    const Vec3 at = (k == 0 ? 0.0 : kSent) * Vec3::UnitX() - touching * Vec3::UnitX() + rig.contactWork.hands.tool[0].offset;
     const Vec3 before = k == 1 ? Vec3(at - kSent * Vec3::UnitX()) : at, up(0.0, 0.0, 10e-3);
     post.a = at - up, post.b = at + up, post.fromA = before - up, post.fromB = before + up;
     rig.solids.assign(1, post);
     ASSERT_TRUE(rig.step());
     const double push = forceOnSolid(rig.contactWork, 0).norm();
-    given = rig.contactWork.border.tool[0].offset.norm();
+    given = rig.contactWork.hands.tool[0].offset.norm();
     if (k == 1) continue;                      // 2 mm in a step take more iterations than there are
     EXPECT_NEAR(push, kHand * given, 1e-2 * push + 1e-6) << k;   // the solve ends within 5 mN on a sample
     if (k < 200) continue;

@@ -16,7 +16,7 @@ struct Problem {
   Eigen::MatrixXd dense;
   std::mt19937 random{7};
 
-  explicit Problem(int n) : nodes(n), dense(Eigen::MatrixXd::Zero(3 * n + 6, 3 * n + 6)) {
+  explicit Problem(int n) : nodes(n), dense(Eigen::MatrixXd::Zero(3 * n + 6 + 3 * kHands, 3 * n + 6 + 3 * kHands)) {
     band.resize(3 * n + 6);
     band.setZero();
     coupled.resize(n);
@@ -54,37 +54,42 @@ struct Problem {
         if (i >= j) coupled.add(node[i], node[j], c * k);
       }
   }
-  double worstError(const std::vector<std::pair<int, int>>& pairs) {
+  /// Between a hand and three nodes.
+  void handSpring(int hand, int node) {
+    const int block = coupled.handBlock(hand), at = 3 * (nodes + 2 + hand);
+    const Mat3 k = 4.0 * (Mat3::Identity() + Vec3(3, 1, 2) * Vec3(3, 1, 2).transpose());
+    const double w[3] = {0.3, 0.6, 0.1};       // [1]
+    dense.block<3, 3>(at, at) += k;
+    coupled.add(block, block, k);
+    for (int i = 0; i < 3; ++i) {
+      dense.block<3, 3>(at, 3 * (node + i)) -= w[i] * k;
+      dense.block<3, 3>(3 * (node + i), at) -= w[i] * k;
+      coupled.add(block, node + i, -w[i] * k);
+      for (int j = 0; j < 3; ++j) {
+        dense.block<3, 3>(3 * (node + i), 3 * (node + j)) += w[i] * w[j] * k;
+        if (i >= j) coupled.add(node + i, node + j, w[i] * w[j] * k);
+      }
+    }
+  }
+  /// `hands`: a hand and the first of the nodes that it touches.
+  double worstError(const std::vector<std::pair<int, int>>& pairs, const std::vector<std::pair<int, int>>& hands = {}) {
     for (const auto& [a, b] : pairs) EXPECT_TRUE(coupled.couple(a, b));
+    for (const auto& [hand, node] : hands) EXPECT_TRUE(coupled.coupleHand(hand, node));
     EXPECT_TRUE(coupled.closeStructure());
     coupled.clearValues();
     for (const auto& [a, b] : pairs) spring(a, b);
-    Eigen::VectorXd rhs(3 * nodes + 6);
+    for (const auto& [hand, node] : hands) handSpring(hand, node);
+    for (int hand = 0; hand < kHands; ++hand) {
+      dense.block<3, 3>(3 * (nodes + 2 + hand), 3 * (nodes + 2 + hand)) += Mat3::Identity();   // its own spring
+      if (coupled.holdsHand(hand)) coupled.add(coupled.handBlock(hand), coupled.handBlock(hand), Mat3::Identity());
+    }
+    Eigen::VectorXd rhs(dense.rows());
     for (int i = 0; i < rhs.size(); ++i) rhs[i] = number();
     const Eigen::VectorXd exact = dense.ldlt().solve(rhs);
     Eigen::VectorXd alone = rhs;
     BandedMatrix used = band;
     EXPECT_TRUE(coupled.solve(used, alone.data()));
-    double worst = (alone - exact).lpNorm<Eigen::Infinity>() / exact.lpNorm<Eigen::Infinity>();   // [1]
-    for (int columns : {1, 2}) worst = std::max(worst, worstOfMore(columns, rhs, alone));
-    return worst;
-  }
-  /// The same with three more right-hand sides in each of `columns`; what x is does not depend on these.
-  double worstOfMore(int columns, Eigen::VectorXd rhs, const Eigen::VectorXd& alone) {   // [N], [m]
-    Eigen::MatrixXd more(rhs.size(), 3 * columns);
-    std::vector<std::vector<Lanes4>> column(columns, std::vector<Lanes4>(rhs.size() + BandedMatrix::kHalf, Lanes4{0.0, 0.0, 0.0, 0.0}));
-    for (int i = 0; i < more.rows(); ++i)
-      for (int k = 0; k < more.cols(); ++k) column[k / 3][i][k % 3] = more(i, k) = number();
-    const Eigen::MatrixXd exact = dense.ldlt().solve(more);
-    std::vector<Lanes4*> pointers;
-    for (auto& c : column) pointers.push_back(c.data());
-    BandedMatrix used = band;
-    EXPECT_TRUE(coupled.solve(used, rhs.data(), pointers));
-    EXPECT_EQ(rhs, alone) << "to the bit";
-    double worst = 0.0;                        // [1]
-    for (int i = 0; i < more.rows(); ++i)
-      for (int k = 0; k < more.cols(); ++k) worst = std::max(worst, std::fabs(column[k / 3][i][k % 3] - exact(i, k)));
-    return worst / exact.lpNorm<Eigen::Infinity>();
+    return (alone - exact).lpNorm<Eigen::Infinity>() / exact.lpNorm<Eigen::Infinity>();
   }
 };
 
@@ -100,6 +105,12 @@ TEST(CoupledSolve, TakesStrandsThatLieAlongEachOther) {
   for (int k = 0; k < 15; ++k) pairs.emplace_back(4 + k, 50 - k);
   EXPECT_LT(Problem(60).worstError(pairs), 1e-9);
 }
+
+TEST(CoupledSolve, TakesHandsThatLieAgainstTheThread) {
+  EXPECT_LT(Problem(60).worstError({{5, 40}, {6, 39}, {20, 50}}, {{0, 5}, {0, 12}, {1, 30}}), 1e-10);
+  EXPECT_LT(Problem(40).worstError({{3, 30}}, {{0, 10}, {1, 10}, {1, 11}, {0, 37}}), 1e-10) << "both against one place, and at the end";
+}
+TEST(CoupledSolve, TakesAHandAloneAndLeavesTheOther) { EXPECT_LT(Problem(40).worstError({}, {{1, 20}, {1, 21}}), 1e-10); }
 
 TEST(CoupledSolve, RefusesMoreThanItsRoom) {
   CoupledSolve solve;

@@ -44,10 +44,6 @@ TEST(LaneSolve, FactorsAnEnvelopeToTheSameBits) {
   ASSERT_TRUE(factorEnvelope(wide.view(), LanePath::kWide));
   EXPECT_EQ(serial.values, wide.values);
   EXPECT_EQ(serial.inverse, wide.inverse);
-  std::vector<double> x = numbers(12 * Ragged::kBlocks, 5), y = x;
-  solveEnvelopeFour(serial.view(), x.data(), LanePath::kSerial);
-  solveEnvelopeFour(wide.view(), y.data(), LanePath::kWide);
-  EXPECT_EQ(x, y);
 }
 
 /// A band of which the middle is eliminated, two blocks before it and two behind it stay.
@@ -79,21 +75,6 @@ TEST(LaneSolve, EliminatesAStretchToTheSameBits) {
   EXPECT_EQ(x, y);
   EXPECT_EQ(serial.rows, wide.rows);
   EXPECT_EQ(serial.border, wide.border);
-  std::vector<double> four = numbers(4 * x.size(), 13), again = four;
-  forwardFour(serial.view(), Middle::stretch(), four.data(), LanePath::kSerial);
-  substituteFour(serial.view(), Middle::stretch(), four.data(), LanePath::kSerial);
-  forwardFour(wide.view(), Middle::stretch(), again.data(), LanePath::kWide);
-  substituteFour(wide.view(), Middle::stretch(), again.data(), LanePath::kWide);
-  EXPECT_EQ(four, again);
-  std::vector<double> first = numbers(4 * x.size(), 15), second = numbers(4 * x.size(), 17), firstAlone = first, secondAlone = second;
-  substituteFour(wide.view(), Middle::stretch(), firstAlone.data(), LanePath::kWide);
-  substituteFour(wide.view(), Middle::stretch(), secondAlone.data(), LanePath::kWide);
-  for (LanePath path : {LanePath::kSerial, LanePath::kWide}) {
-    std::vector<double> a = first, b = second;
-    substituteEight(wide.view(), Middle::stretch(), a.data(), b.data(), path);
-    EXPECT_EQ(a, firstAlone);
-    EXPECT_EQ(b, secondAlone);
-  }
 }
 
 }  // namespace

@@ -31,7 +31,6 @@ struct Falling {
     c.start = (c.reach + gap) * c.normal;
     c.stiffness = kStiffness;
     rig.contactWork.points.assign(1, c);
-    clearBorder(rig.contactWork.border);       // no force on a hand
   }
   double take() { return takeCorrection(rig.work, rig.contactWork); }
 };
@@ -53,10 +52,10 @@ TEST(StepShare, WhatWouldGoThroughASolidStopsWhereItsPushBalancesTheRest) {
 
 TEST(StepShare, AHandTakesTheSameShare) {
   Falling f(kGap);
-  f.rig.contactWork.border.tool[0].correction = Vec3(1e-3, 0.0, 0.0);
+  f.rig.contactWork.hands.tool[0].correction = Vec3(1e-3, 0.0, 0.0);
   const double taken = f.take();
   EXPECT_LT(taken, 0.2);
-  EXPECT_DOUBLE_EQ(f.rig.contactWork.border.tool[0].shift.x(), taken * 1e-3);
+  EXPECT_DOUBLE_EQ(f.rig.contactWork.hands.tool[0].shift.x(), taken * 1e-3);
 }
 
 }  // namespace
