@@ -237,8 +237,9 @@ bool runTighten(const Scene& s, std::string&) {
     nextPhase(s);
   }
   const double open = opening(s.state, s.model);                                                 // [1]
-  e.stuck = open < e.leastOpen - kGains ? 0.0 : e.stuck + s.dt;
-  if (e.stuck == 0.0) e.leastOpen = open;
+  const bool gains = open < e.leastOpen - kGains;
+  if (gains) e.leastOpen = open;
+  e.stuck = gains ? 0.0 : e.stuck + s.dt;
   e.closed = open < (e.closed ? kSnug : kClosed);                                                 // held, it springs back a little
   bool exhausted = false;                      // an arm is stretched out and its tail still slack: both need a shorter grip
   double fastest = 0.0;                        // [1] of the tightening speed
