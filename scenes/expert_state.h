@@ -50,7 +50,7 @@ struct ExpertState {
   double place = 0.0;                          // [m] coordinate where a tail is to be taken
   bool crossed = false;                        // the tails have changed sides, as an odd number of throws leaves them
   std::int32_t cutsBefore = 0;                 // of the thread, before this cut
-  double settled = 0.0, stuck = 0.0;           // [s] since the tails stopped coming; since they only hold
+  double settled = 0.0, stuck = 0.0;           // [s] since the tails stopped coming; since they only hold, or close nothing more
   bool closed = false;                         // as far as it is to be drawn
   double leastOpen = 0.0;                      // [1] of the opening at rest, since it is drawn
   std::array<Pose, kHands> goal;               // of the phase under way

@@ -112,7 +112,8 @@ void stepStrand(const Model& m, KnottingMotion motion, State& s, StepOutput& out
 }
 
 /// Moves the tissue by its answer to the changes of force gathered so far. All together little, as from thread that lies still, they wait for the next
-/// step, which begins with all forces (carryForces): answering costs as much as a step of tissue that nothing touches.
+/// step, which begins with all forces that are kept (carryForces): answering costs as much as a step of tissue that nothing touches. What tissue pushes
+/// on tissue for this step only (solvePairs) is then left out, and found missing again in the next.
 void answerChange(const Model& m, State& s) {
   double squared = 0.0;                        // [N^2]
   for (const Vec3& f : s.work.change) squared += f.squaredNorm();

@@ -46,6 +46,7 @@ class CoupledSolve {
   void orderCore();
   int handsHeld() const;
   bool enter(int block);                       // into the core, if there is room
+  bool enterThree(int node);                   // a contact's
   void connect(int nodeI, int nodeJ);          // within the core's graph, by present places
   StretchBand beginBorders(BandedMatrix&);
   struct CoreBlock {

@@ -16,20 +16,14 @@ void CoupledSolve::clearStructure() {
 bool CoupledSolve::couple(int nodeA, int nodeB) {
   if (!pairs_.empty() && pairs_.back() == std::pair(nodeA, nodeB)) return true;
   if (pairs_.size() >= kMaxPairs) return false;
-  int fresh = 0;
-  for (int k = 0; k < 3; ++k) fresh += (inCore_[nodeA + k] ? 0 : 1) + (inCore_[nodeB + k] ? 0 : 1);
-  if (static_cast<int>(core_.size()) + fresh > kMaxCore) return false;
-  for (int node : {nodeA, nodeB})
-    for (int k = 0; k < 3; ++k) enter(node + k);
+  if (!enterThree(nodeA) || !enterThree(nodeB)) return false;
   pairs_.emplace_back(nodeA, nodeB);
   return true;
 }
 
 bool CoupledSolve::coupleHand(int hand, int node) {
   if (!handPairs_.empty() && handPairs_.back() == std::pair(hand, node)) return true;
-  if (handPairs_.size() >= kMaxPairs || !enter(handBlock(hand))) return false;
-  for (int k = 0; k < 3; ++k)
-    if (!enter(node + k)) return false;
+  if (handPairs_.size() >= kMaxPairs || !enter(handBlock(hand)) || !enterThree(node)) return false;
   handPairs_.emplace_back(hand, node);
   return true;
 }
@@ -41,6 +35,8 @@ bool CoupledSolve::enter(int block) {
   inCore_[block] = 1;
   return true;
 }
+
+bool CoupledSolve::enterThree(int node) { return enter(node) && enter(node + 1) && enter(node + 2); }
 
 int CoupledSolve::handsHeld() const {
   int count = 0;

@@ -1,6 +1,5 @@
 #pragma once
 /// One column of LDL^T in a band of fixed half width: the step that BandedMatrix and the stretches of CoupledSolve share. Physics thread.
-#include <algorithm>
 #include <utility>
 
 #include "sim/lanes.h"

@@ -1,6 +1,5 @@
 #include "sim/strand/stretch.h"
 
-#include <algorithm>
 #include <array>
 
 #include "sim/strand/eliminate_row.h"
