@@ -47,6 +47,8 @@ bool isOneOf(std::span<const char* const> kinds, const std::string& text) {
   return std::any_of(kinds.begin(), kinds.end(), [&](const char* kind) { return text == kind; });
 }
 
+bool isTaking(const std::string& kind) { return kind == "take_tails" || kind == "take_stay"; }
+
 void readNumber(const toml::node& node, const std::string& where, const std::string& key, ExpertAction& action) {
   const bool needle = isOneOf(kNeedleKinds, action.kind);
   for (const NumberKey& n : needle ? std::span<const NumberKey>(kNeedleNumbers) : std::span<const NumberKey>(kSutureNumbers)) {
@@ -118,6 +120,7 @@ ExpertAction readAction(const toml::table& table, const std::string& origin) {
     else if (!needle && key == "counter_clockwise") action.counterClockwise = readTruth(node, where);
     else if (!needle && key == "across") action.across = readTruth(node, where);
     else if (!needle && key == "through") action.through = readTruth(node, where);
+    else if (isTaking(action.kind) && key == "unless_held") action.unlessHeld = readTruth(node, where);
     else if (!needle && key == "assist") action.assist = levelOf(requireText(node, where), where);
     else if (!needle && key == "tie") action.tie = readTie(node, where);
     else readNumber(node, where, key, action);

@@ -43,6 +43,7 @@ struct ExpertAction {
   double beyondHand = 0.012;                   // beyond_hand_mm [m] past the hand that holds the long end: where it is cut at the nearest
   double longEnd = 0.065;                      // long_end_mm [m] of thread between the stitch and the hand that winds it, for single turns
   std::optional<ThreadAssist> assist;          // assist = "none" or "knot": done at this level of assistance only; absent: at any
+  bool unlessHeld = false;                     // unless_held: of "take_tails" and "take_stay": not done, and takes no time, where each hand holds a tail already
   std::string point;                           // point: an acupoint's id; empty: the one the scene is set for
   int cycles = 1;                              // cycles [1] twirls or lifts
   double twirlDegrees = 150.0;                 // twirl_deg [deg] from end to end

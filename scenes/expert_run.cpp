@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "scenes/expert_state.h"
@@ -29,10 +30,20 @@ bool runAction(const Scene& scene, std::string& failure) {
   return runNeedling(scene, failure);
 }
 
-/// Goes past what is not done at this level of assistance; it takes no time.
-void skipOtherLevels(const ExpertScript& script, const Model& model, ExpertState& e) {
-  const auto other = [&](const ExpertAction& a) { return a.assist && *a.assist != model.params.thread.assist; };
-  while (e.action < script.actions.size() && other(script.actions[e.action])) ++e.action;
+/// Does each hand hold a tail, one on either side of the stitch?
+bool holdBothTails(const State& s) {
+  if (s.strand.holeCount == 0) return false;
+  const auto [least, most] = std::minmax(s.tools[kLeft].threadCoordinate, s.tools[kRight].threadCoordinate);   // [m]
+  return least >= 0.0 && least < s.strand.holes[0].coordinate && most > s.strand.holes[s.strand.holeCount - 1].coordinate;
+}
+
+/// Goes past what is not done at this level of assistance, or with what the hands hold; it takes no time.
+void skipWhatIsNotDone(const ExpertScript& script, const Model& model, const State& state, ExpertState& e) {
+  const auto skipped = [&](const ExpertAction& a) {
+    if (a.assist && *a.assist != model.params.thread.assist) return true;
+    return a.unlessHeld && e.phase == 0 && holdBothTails(state);
+  };
+  while (e.action < script.actions.size() && skipped(script.actions[e.action])) ++e.action;
 }
 
 void begin(const State& state, ExpertState& e) {
@@ -163,7 +174,7 @@ bool pickUp(const Scene& s, int hand, const Pose& grip, int first) {
 bool advanceExpert(const ExpertScript& script, const Model& model, const State& state, ExpertState& e,
                    std::array<HandTarget, kHands>& targets, std::string& failure) {
   if (!e.started) begin(state, e);
-  skipOtherLevels(script, model, e);
+  skipWhatIsNotDone(script, model, state, e);
   if (e.action < script.actions.size()) {
     const ExpertAction& action = script.actions[e.action];
     const double dt = model.params.dt;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "tests/scenes/tied_wall.h"
+#include "tests/scenes/wall_laws.h"
 
 namespace halsted {
 namespace {
@@ -64,6 +65,28 @@ TEST(TakeTails, TakesItWithAnotherTurnInTheEnd) {
   EXPECT_EQ(t.wall.failure, "");
   EXPECT_GT(t.opened, 1);
   EXPECT_GE(t.wall.state.tools[kRight].threadCoordinate, 0.0);
+}
+
+constexpr const char* kTake = "[[action]]\ndo = \"take_tails\"\ntail_mm = 20\nlimit_s = 40\n";
+constexpr const char* kTakeUnlessHeld = "[[action]]\ndo = \"take_tails\"\ntail_mm = 20\nunless_held = true\nlimit_s = 40\n";
+
+TEST(TakeTails, WhatIsHeldIsNotTakenOnceMore) {
+  TiedWall w;
+  ASSERT_TRUE(w.act(kTakeUnlessHeld)) << w.failure;
+  const double left = w.state.tools[kLeft].threadCoordinate, right = w.state.tools[kRight].threadCoordinate;   // [m]
+  EXPECT_GE(left, 0.0);
+  EXPECT_GT(right, left);
+  const std::uint64_t taken = w.state.step;
+  ASSERT_TRUE(w.act(kTakeUnlessHeld)) << w.failure;
+  EXPECT_LE(w.state.step, taken + 1);          // the step in which the script is found to be at its end
+  ASSERT_TRUE(w.act(kTake)) << w.failure;
+  EXPECT_GT(w.state.step, taken + 1000);
+}
+
+TEST(TakeTails, OnlyWhatTakesTailsAsksWhetherTheyAreHeld) {
+  const auto parse = [](const std::string& rest) { scenes::parseExpert("scene = \"stay\"\n[[action]]\ndo = " + rest, "test"); };
+  testing::expectRefused([&] { parse("\"tie\"\ntie = \"1=1\"\nunless_held = true\n"); }, {"test:5", "action.unless_held", "unknown key"});
+  testing::expectRefused([&] { parse("\"take_stay\"\nunless_held = 1\n"); }, {"test:4", "action.unless_held", "true or false"});
 }
 
 }  // namespace
