@@ -51,6 +51,7 @@ double depthInTools(const Model& m, const State& s, const Vec3& p, double coordi
     const int hand = solidHand(k);
     if (hand >= 0 && std::fabs(s.tools[hand].threadCoordinate - coordinate) < kAbout) continue;
     if (hand >= 0 && s.tools[hand].holdsNeedle) continue;        // such jaws do not collide with thread (README)
+    if (hand >= 0 && s.tools[hand].through) continue;            // nor does a tool that has gone through a wall, until it is out (sim/tools/perforation.h)
     const CapsuleShape& c = solids[k];
     deepest = std::fmax(deepest, c.radius - (p - c.a - closestOnSegment(p, c.a, c.b) * (c.b - c.a)).norm());
   }
@@ -91,7 +92,8 @@ int timesThrough(const Model& m, const State& s) {
   };
   for (int i = 0; i + 1 < static_cast<int>(s.strand.position.size()); ++i) {
     const Vec3 &a = s.strand.position[i], &b = s.strand.position[i + 1];
-    if (ledByHole(s.strand, m.strand.place[i]) || ledByHole(s.strand, m.strand.place[i + 1])) { in = -1; continue; }
+    const bool parted = !s.threadContacts.cut.empty() && s.threadContacts.cut[i] != 0;   // broken thread: no segment leads from one piece to the other
+    if (parted || ledByHole(s.strand, m.strand.place[i]) || ledByHole(s.strand, m.strand.place[i + 1])) { in = -1; continue; }
     Vec3 from = a;                             // [m]
     for (const Crossing& c : crossings(m, s, a, b)) {
       const Vec3 at = a + c.share * (b - a);   // [m]

@@ -1,6 +1,7 @@
 /// What the watch over wild hands counts.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/app/abuse_watch.h"
@@ -31,6 +32,17 @@ TEST(AbuseWatch, CountsThreadThroughAWallWhereverItsNodesLie) {
   Piercing thread;
   for (const double segment : {0.5e-3, 1.1e-3, 2.0e-3, 3.5e-3})  // [m] the wall is 2 mm thick
     for (const double share : {0.0, 0.2, 0.4, 0.6, 0.8}) EXPECT_EQ(thread.through(segment, share), 1) << segment << " " << share;
+}
+
+/// Its pieces may lie anywhere: what joins them in the list of nodes is not thread.
+TEST(AbuseWatch, CountsNothingWhereThreadIsBroken) {
+  Piercing thread;
+  std::vector<std::uint8_t>& cut = thread.state.threadContacts.cut;
+  ASSERT_EQ(cut.size() + 1, thread.state.strand.position.size());
+  cut.back() = 1;
+  EXPECT_EQ(thread.through(3.5e-3, 0.4), 1);   // broken elsewhere
+  std::fill(cut.begin(), cut.end(), std::uint8_t{1});
+  EXPECT_EQ(thread.through(3.5e-3, 0.4), 0);
 }
 
 }  // namespace
