@@ -44,14 +44,15 @@ double depthInTissue(const Model& m, const State& s, const Vec3& p) {   // [m], 
   return std::fabs(distance) < kReach ? -distance : -kReach;     // no wall is so thick: which side of its nearest corner it lies on says nothing
 }
 
-double depthInTools(const Model& m, const State& s, const Vec3& p, double coordinate) {   // [m]
+/// In those that have gone through a wall (`passed`), which meet no thread until they are out (sim/tools/perforation.h), or in all others.
+double depthInTools(const Model& m, const State& s, const Vec3& p, double coordinate, bool passed) {   // [m]
   const auto solids = worldSolids(m, s);
   double deepest = -kReach;                    // [m]
   for (int k = 0; k < kSolids; ++k) {
     const int hand = solidHand(k);
     if (hand >= 0 && std::fabs(s.tools[hand].threadCoordinate - coordinate) < kAbout) continue;
     if (hand >= 0 && s.tools[hand].holdsNeedle) continue;        // such jaws do not collide with thread (README)
-    if (hand >= 0 && s.tools[hand].through) continue;            // nor does a tool that has gone through a wall, until it is out (sim/tools/perforation.h)
+    if ((hand >= 0 && s.tools[hand].through) != passed) continue;
     const CapsuleShape& c = solids[k];
     deepest = std::fmax(deepest, c.radius - (p - c.a - closestOnSegment(p, c.a, c.b) * (c.b - c.a)).norm());
   }
@@ -122,11 +123,13 @@ ThreadDepth threadDepth(const Model& m, const State& s) {
     const double coordinate = m.strand.place[i];                 // [m]
     if (ledByHole(s.strand, coordinate)) continue;
     const Vec3& p = s.strand.position[i];
-    const double tissue = depthInTissue(m, s, p), tool = depthInTools(m, s, p, coordinate);   // [m]
+    const double tissue = depthInTissue(m, s, p), inPassed = depthInTools(m, s, p, coordinate, true);   // [m]
+    const double tool = std::fmax(inPassed, depthInTools(m, s, p, coordinate, false));   // [m]
     d.tissue = std::fmax(d.tissue, tissue);
     d.tool = std::fmax(d.tool, tool);
     d.inTissue += tissue > kDeep;
     d.inTool += tool > kDeep;
+    d.inPassed += inPassed > kDeep;
     ++d.nodes;
   }
   d.through = timesThrough(m, s);

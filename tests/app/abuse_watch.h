@@ -12,6 +12,7 @@ bool finite(const State&);
 struct ThreadDepth {
   double tissue = 0.0, tool = 0.0;             // [m] deepest node below a surface
   int inTissue = 0, inTool = 0;                // nodes deeper than `kDeep`
+  int inPassed = 0;                            // of those in a tool: in one that has gone through a wall
   int through = 0;                             // times that it goes in by one side of a wall and out by the other, and no hole is there
   int nodes = 0;                               // that were looked at
 };

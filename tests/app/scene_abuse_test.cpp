@@ -87,6 +87,7 @@ class WildHands : public ::testing::TestWithParam<Case> {
     deepest_.tool = std::max(deepest_.tool, d.tool);
     deepest_.inTissue += d.inTissue;
     deepest_.inTool += d.inTool;
+    deepest_.inPassed += d.inPassed;
     deepest_.through += d.through;
     deepest_.nodes += d.nodes;
   }
@@ -135,9 +136,9 @@ TEST_P(WildHands, StayFiniteAndNothingIsFlung) {
   double mass = 0.0;                           // [kg]
   for (double m : scenario_.model.tissue.mass) mass += m;
   std::printf("%s from %.1f s, seed %d, %d steps: at most %.2f N, %.3f mJ of %.1f g, %.1e J left; of %.1f mJ at most %.4f mJ created; %d holes, %d tears, %d breaks, %d steps with a number that is none; "
-              "of %d nodes looked at, deeper than %.1f mm in tissue %d (at most %.2f mm), in tools %d (%.2f mm), through a wall %d\n",
+              "of %d nodes looked at, deeper than %.1f mm in tissue %d (at most %.2f mm), in tools %d (%.2f mm; %d in one that has gone through a wall), through a wall %d\n",
               GetParam().scene, GetParam().script, static_cast<int>(GetParam().seed), steps, most_, 1e3 * liveliest_, 1e3 * mass, left, 1e3 * audit_.most(), 1e3 * audit_.created(), s.strand.holeCount, s.metrics.tears,
-              s.knot.breaks, broken_, deepest_.nodes, 1e3 * kDeep, deepest_.inTissue, 1e3 * deepest_.tissue, deepest_.inTool, 1e3 * deepest_.tool, deepest_.through);
+              s.knot.breaks, broken_, deepest_.nodes, 1e3 * kDeep, deepest_.inTissue, 1e3 * deepest_.tissue, deepest_.inTool, 1e3 * deepest_.tool, deepest_.inPassed, deepest_.through);
   EXPECT_EQ(broken_, 0);
   EXPECT_LT(most_, 60.0);
   EXPECT_LE(left, 1e-4);                       // [J] a second after the hands have come to rest
