@@ -109,7 +109,9 @@ void wind(const Scene& s) {
     }
     giveWay(s, kTight);
     e.hand[kRight].jaw = 1.0;
-    const bool up = moveHand(s, kLeft, windingPose(s, driverPlace(s), 0.0), kMove);
+    const bool caught = k.felt[kLeft] > kFirm;   // on the driver, which has left a loop and goes back: raised, the long end would draw the tail in
+    if (caught) yieldToThread(s);
+    const bool up = !caught && moveHand(s, kLeft, windingPose(s, driverPlace(s), 0.0), kMove);
     const bool ready = moveHand(s, kRight, driverPose(s, kBack), kMove);
     if (!up || !ready) return;
     k.detour = detour(s);

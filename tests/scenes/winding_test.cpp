@@ -133,6 +133,23 @@ TEST_F(Winding, AHandThatIsDrawnHardGoesAlong) {
   EXPECT_GT(goes(), 2e-3);
 }
 
+/// The driver has left a loop that is caught on it, and goes back: the winding hand that lifted the long end meanwhile drew 29 mm of a tail of 39 into the
+/// stitch, with up to 4.5 N (`connell` by friction).
+TEST_F(Winding, AHandThatLiftsTheLongEndGoesAlongWhereItIsCaught) {
+  runTo(scenes::kLiftLong);
+  const auto lifts = [&](double force) {       // [N] -> [m] up
+    const Vec3 from = memory->hand[kLeft].command.position, up = memory->knot.up;   // [m], [1]
+    for (int k = 0; k < 100; ++k) {
+      w.state.tools[kLeft].threadForce = -force * up;
+      EXPECT_TRUE(w.advance(script, *memory)) << w.failure;
+    }
+    return (memory->hand[kLeft].command.position - from).dot(up);
+  };
+  EXPECT_LT(lifts(1.5), 0.0);
+  EXPECT_EQ(memory->phase, scenes::kLiftLong);
+  EXPECT_GT(lifts(0.0), 1e-3);                 // as soon as it is free
+}
+
 /// Jaws that have missed the tail twice go where it lies by itself: other thread across it would be taken again.
 TEST_F(Winding, TheTailIsTakenWhereNoOtherThreadLies) {
   runTo(scenes::kFollow);
