@@ -15,8 +15,7 @@ constexpr int kRepairInterval = 32;            // steps between exhaustive searc
 constexpr int kPiecesInterval = 6;             // the same where walls that a cut has parted lie so near to each other that no walk leads over in time
 constexpr double kSearchedWay = 1e-3;          // [m] that a sample may go between two such searches
 constexpr double kOnTissue = 1e-3;             // [m]
-constexpr double kFlight = 0.2e-3;             // [m] in a step
-constexpr double kFlightOverCut = 0.5e-3;      // [m] slower thread leaves cut walls across itself
+constexpr double kFlight = 0.2e-3, kFlightOverCut = 0.5e-3;      // [m] in a step; slower thread leaves cut walls across itself
 
 /// Steps between exhaustive searches. From one bowel no walk leads to the other: thread that flies across looks for it as often as it may get there.
 int searchInterval(const Model& m, const State& s, const StrandSample& x) {
@@ -28,7 +27,7 @@ int searchInterval(const Model& m, const State& s, const StrandSample& x) {
 
 /// Thread that flies into a wall in this step, by more than `flight`, is stopped by the face that it meets, end on, too, and beside an edge: out of the nearest
 /// one, or across itself, it was thrown on through the wall (in `altemeier`, as a needle was let go that drew with 2.5 N, with 24 N in the thread, which broke;
-/// flung over the edge of an end it got through in 20 of 336 throws, `FlyingThread`). Else triangle -1.
+/// flung over the edge of an end it was pushed on by the next face, `FlyingThread`). Else triangle -1.
 SurfacePoint faceMet(const Model& m, const SurfaceNow& tissue, const StrandSample& x, int vertex, double flight) {   // [m]
   const Vec3 way = x.predicted - x.position;   // [m]
   if (way.squaredNorm() < flight * flight) return {};
@@ -131,10 +130,11 @@ SurfacePoint nearTissue(const Model& m, const StrandSample& x, State& state) {
     if (near.distance < 0.0) near = fromItsSide(m, tissue, x, s);
     near = ofNearerBowel(m, tissue, x, near, s);
   }
-  if (!x.thread || (!state.cut && m.bowels.count < 2)) return near;
-  const SurfacePoint met = near.distance < 0.0 ? faceMet(m, tissue, x, s.nearVertex[x.index], state.cut ? kFlightOverCut : kFlight) : SurfacePoint{};
+  const bool cut = state.cut.has_value();
+  if (!x.thread || near.distance >= 0.0 || (!cut && m.bowels.count < 2)) return near;
+  const SurfacePoint met = faceMet(m, tissue, x, s.nearVertex[x.index], cut ? kFlightOverCut : kFlight);
   if (met.triangle >= 0) return met;
-  return state.cut ? outAcross(m, x, near, state) : near;   // what a cut leaves of a wall ends in an edge hardly wider than the thread's nodes lie apart
+  return cut ? outAcross(m, x, near, state) : near;              // what a cut leaves of a wall ends in an edge hardly wider than the thread's nodes lie apart
 }
 
 SurfacePoint faceOnWay(const Model& m, const StrandSample& x, State& state) {
