@@ -193,10 +193,11 @@ SurfacePoint nearestSurface(const SurfaceModel& s, const SurfaceNow& now, const 
   return back.point();
 }
 
-SurfacePoint nearestTriangle(const SurfaceModel& s, const SurfaceNow& now, const Vec3& p, int& vertex) {
+SurfacePoint nearestTriangle(const SurfaceModel& s, const SurfaceNow& now, const Vec3& p, int& vertex, std::span<const int> pieceOf) {
+  const auto ofPiece = [&, begin = vertex](int f) { return pieceOf.empty() || pieceOf[s.triangles[f][0]] == pieceOf[begin]; };
   Nearest best = roundVertex(s, now, p, vertex);
   for (int f = 0; f < static_cast<int>(s.triangles.size()); ++f)
-    if (!fartherThan(best.squared, s.triangles[f], now.position, p) && exposed(s, now.gone, f)) offer(s, now, p, f, best);
+    if (ofPiece(f) && !fartherThan(best.squared, s.triangles[f], now.position, p) && exposed(s, now.gone, f)) offer(s, now, p, f, best);
   if (best.triangle < 0) return {};
   vertex = s.triangles[best.triangle][heaviest(best.weight)];
   return descend(s, now, p, vertex).point();   // with every triangle that meets there

@@ -58,7 +58,8 @@ inline bool canBeNear(const SurfaceModel& s, const SurfaceNow& now, int vertex) 
 SurfacePoint nearestSurface(const SurfaceModel&, const SurfaceNow&, const Vec3& p, double reach, int& vertex);
 
 /// The nearest point of all the surface, whatever side it is on: exhaustive. `vertex`: any to begin with, then the corner nearest to that point.
-SurfacePoint nearestTriangle(const SurfaceModel&, const SurfaceNow&, const Vec3& p, int& vertex);
+/// Where `pieceOf` tells which piece of the surface each vertex belongs to, of the piece of the one begun with: pieces may overlap.
+SurfacePoint nearestTriangle(const SurfaceModel&, const SurfaceNow&, const Vec3& p, int& vertex, std::span<const int> pieceOf = {});
 
 /// Exhaustive search for the nearest surface vertex: to start or repair a walk.
 int nearestVertex(const SurfaceModel&, const SurfaceNow&, const Vec3& p);

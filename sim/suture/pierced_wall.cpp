@@ -17,15 +17,16 @@ bool leadsAcross(const Vec3& along, const SurfacePoint& before, const SurfacePoi
   return along.dot(before.normal) < -kSteep && along.dot(now.normal) > kSteep;
 }
 
-/// Somewhere between the two it lies deep in the tissue, and no edge is near. Not only half-way: a thin wall may lie beside either.
-bool pierces(const Model& m, int node, const Vec3& along, const State& state) {   // [1]
+/// Somewhere between the two it lies deep in the tissue of that wall, and no edge is near. Not only half-way: a thin wall may lie beside either. The other bowel's
+/// may overlap it: asked which face is nearest of all, thread that two wild hands had driven through both was left there.
+bool pierces(const Model& m, int node, const Vec3& along, int face, const State& state) {   // [1]
   constexpr double kLooks[] = {0.5, 0.25, 0.75};                // [1] of the segment
   const SurfaceNow tissue(state.tissue.position, state.tissue.gone);
   const double deep = kThrough * m.strand.rest[node - 1];        // [m]
   for (const double share : kLooks) {
     const Vec3 at = (1.0 - share) * state.strand.position[node - 1] + share * state.strand.position[node];   // [m]
-    int vertex = state.strand.nearVertex[node];
-    const SurfacePoint near = nearestTriangle(m.surface, tissue, at, vertex);   // of either face
+    int vertex = m.surface.triangles[face][0];
+    const SurfacePoint near = nearestTriangle(m.surface, tissue, at, vertex, m.bowels.of);   // on either side
     if (near.distance > -deep) continue;
     if (m.mesh.triangleLayer[near.triangle] == kEdgeFace) return false;
     return exitOverEdge(m.surface, m.mesh.triangleLayer, tissue, {at, along, near, vertex}, kSkinDepth).triangle < 0;
@@ -83,7 +84,7 @@ void drawBack(const Model& m, int node, const SurfacePoint& before, const Surfac
   const Way back = wayFrom(m, state, m.strand.place[node - 1], -1.0), ahead = wayFrom(m, state, m.strand.place[node], 1.0);
   if (isDrawn(back) && isDrawn(ahead)) return;
   if (!letsThrough(back) && !letsThrough(ahead)) return;
-  if (!pierces(m, node, along, state)) return;
+  if (!pierces(m, node, along, now.triangle, state)) return;
   const int mover = comesBack(back, ahead) ? node - 1 : node, other = mover == node ? node - 1 : node;
   follow(m, mover, state.strand.nearVertex[other], state.strand);
   if (!state.strand.comesThrough.empty()) state.strand.comesThrough[mover] = 1;

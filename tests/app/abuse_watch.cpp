@@ -37,11 +37,18 @@ bool ledByHole(const StrandState& s, double coordinate) {        // [m]
   return false;
 }
 
-double depthInTissue(const Model& m, const State& s, const Vec3& p) {   // [m], negative outside
+/// In the wall of this bowel: beside the face of one a point may lie deep in the wall of another that overlaps it.
+double depthInWall(const Model& m, const State& s, int bowel, const Vec3& p) {   // [m], negative outside
   const SurfaceNow now{s.tissue.position, s.tissue.gone};
-  int near = m.surface.vertices.front();
-  const double distance = nearestTriangle(m.surface, now, p, near).distance;   // [m]
+  int near = m.bowels.rim[bowel].front();
+  const double distance = nearestTriangle(m.surface, now, p, near, m.bowels.of).distance;   // [m]
   return std::fabs(distance) < kReach ? -distance : -kReach;     // no wall is so thick: which side of its nearest corner it lies on says nothing
+}
+
+double depthInTissue(const Model& m, const State& s, const Vec3& p) {   // [m], negative outside
+  double deepest = -kReach;                    // [m]
+  for (int bowel = 0; bowel < m.bowels.count; ++bowel) deepest = std::fmax(deepest, depthInWall(m, s, bowel, p));
+  return deepest;
 }
 
 /// In those that have gone through a wall (`passed`), which meet no thread until they are out (sim/tools/perforation.h), or in all others.
@@ -65,12 +72,13 @@ struct Crossing {
   int face = -1;
 };
 
-/// In the order in which the segment goes through them.
-std::vector<Crossing> crossings(const Model& m, const State& s, const Vec3& a, const Vec3& b) {   // [m]
+/// Those of one bowel, in the order in which the segment goes through them.
+std::vector<Crossing> crossings(const Model& m, const State& s, int bowel, const Vec3& a, const Vec3& b) {   // [m]
   const Vec3 way = b - a;
   std::vector<Crossing> all;
   for (std::size_t f = 0; f < m.surface.triangles.size(); ++f) {
     const auto& v = m.surface.triangles[f];
+    if (m.bowels.of[v[0]] != bowel) continue;
     const Vec3& p = s.tissue.position[v[0]];
     if ((p - a).squaredNorm() > kReach * kReach || !exposed(m.surface, s.tissue.gone, static_cast<int>(f))) continue;
     const Vec3 e1 = s.tissue.position[v[1]] - p, e2 = s.tissue.position[v[2]] - p, h = way.cross(e2);   // Moeller and Trumbore 1997
@@ -84,19 +92,19 @@ std::vector<Crossing> crossings(const Model& m, const State& s, const Vec3& a, c
   return all;
 }
 
-/// In by one side of a wall and out by the other side of the same one, no hole on the way, and deep in between: cut off at a corner is not through.
-int timesThrough(const Model& m, const State& s) {
+/// In by one side of a bowel's wall and out by the other side of the same one, no hole on the way, and deep in between: cut off at a corner is not through.
+int timesThrough(const Model& m, const State& s, int bowel) {
   int times = 0, in = -1;                      // the face by which it went in
   double deepest = 0.0;                        // [m] since
   const auto goOn = [&](const Vec3& from, const Vec3& to) {   // [m]
-    if (in >= 0) deepest = std::max({deepest, depthInTissue(m, s, from), depthInTissue(m, s, 0.5 * (from + to))});
+    if (in >= 0) deepest = std::max({deepest, depthInWall(m, s, bowel, from), depthInWall(m, s, bowel, 0.5 * (from + to))});
   };
   for (int i = 0; i + 1 < static_cast<int>(s.strand.position.size()); ++i) {
     const Vec3 &a = s.strand.position[i], &b = s.strand.position[i + 1];
     const bool parted = !s.threadContacts.cut.empty() && s.threadContacts.cut[i] != 0;   // broken thread: no segment leads from one piece to the other
     if (parted || ledByHole(s.strand, m.strand.place[i]) || ledByHole(s.strand, m.strand.place[i + 1])) { in = -1; continue; }
     Vec3 from = a;                             // [m]
-    for (const Crossing& c : crossings(m, s, a, b)) {
+    for (const Crossing& c : crossings(m, s, bowel, a, b)) {
       const Vec3 at = a + c.share * (b - a);   // [m]
       goOn(from, at);
       times += in >= 0 && oppositeFaces(m, in, c.face) && deepest > kDeep;
@@ -132,7 +140,7 @@ ThreadDepth threadDepth(const Model& m, const State& s) {
     d.inPassed += inPassed > kDeep;
     ++d.nodes;
   }
-  d.through = timesThrough(m, s);
+  for (int bowel = 0; bowel < m.bowels.count; ++bowel) d.through += timesThrough(m, s, bowel);
   return d;
 }
 

@@ -34,6 +34,25 @@ TEST(AbuseWatch, CountsThreadThroughAWallWhereverItsNodesLie) {
     for (const double share : {0.0, 0.2, 0.4, 0.6, 0.8}) EXPECT_EQ(thread.through(segment, share), 1) << segment << " " << share;
 }
 
+/// Two walls may be pushed into each other, and the face that is nearest to thread deep in the one may be the other's: each is asked by itself. Asked
+/// together, thread that lay through one wall or through both was found in none.
+TEST(AbuseWatch, CountsThreadThroughWallsThatOverlap) {
+  Piercing thread;
+  const Opening &ours = thread.model.bowels.opening[1], &theirs = thread.model.bowels.opening[0];
+  const double radius = thread.radius;         // [m]
+  for (const double above : {0.7e-3, -0.7e-3}) {                 // [m] the other wall lies so far above the one that is pierced
+    const State before = thread.state;
+    const Vec3 to = ours.centre - 15e-3 * ours.axis + above * ours.up, from = theirs.centre - 15e-3 * theirs.axis;   // [m]
+    for (std::size_t v = 0; v < thread.model.bowels.of.size(); ++v)
+      if (thread.model.bowels.of[v] == 0) thread.state.tissue.position[v] += to - from;
+    EXPECT_EQ(thread.through(2.0e-3, 0.4), 2) << above;
+    for (std::size_t v = 0; v < thread.model.bowels.of.size(); ++v)
+      if (thread.model.bowels.of[v] == 0) thread.state.tissue.position[v] += 4.0 * radius * ours.right;   // beside it
+    EXPECT_EQ(thread.through(2.0e-3, 0.4), 1) << above;
+    thread.state = before;
+  }
+}
+
 /// Its pieces may lie anywhere: what joins them in the list of nodes is not thread.
 TEST(AbuseWatch, CountsNothingWhereThreadIsBroken) {
   Piercing thread;
