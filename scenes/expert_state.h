@@ -121,6 +121,8 @@ inline constexpr int kHangingPhases = 4;
 inline constexpr double kHanging = 22e-3;      // [m] below the driver that holds it
 bool takeHanging(const Scene&, int first);
 Pose parked(int hand);
+/// Another turn of the thread, farther along it than `near`, lies between the closed jaws: it would be drawn along, and the walls with it.
+bool pinchesAnother(const Scene&, int hand, double near);   // [m]
 /// Grip on the thread at a coordinate: from the surgeon's side, jaws opening across the thread, whichever way round is nearer.
 Pose threadGrip(const Scene&, int hand, double coordinate);   // [m]
 /// Distance of a place on the thread from all of it that lies farther than `near` along it.  [m]

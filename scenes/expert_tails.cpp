@@ -64,23 +64,6 @@ double thinkOfPlace(const Scene& s, double stitch, double way) {
 double tailPlace(const Scene& s) { return thinkOfPlace(s, s.state.strand.holes[0].coordinate, -1.0); }
 double needlePlace(const Scene& s) { return thinkOfPlace(s, s.state.strand.holes[s.state.strand.holeCount - 1].coordinate, 1.0); }
 
-/// Another turn of the thread lies between the closed jaws: it would be drawn along, and the walls with it.
-bool pinchesAnother(const Scene& s, int hand) {
-  if (!s.model.params.thread.knots) return false;   // thread that does not meet thread is not caught so
-  const ToolState& t = s.state.tools[hand];
-  const ToolParams& p = toolOf(s.model, s.state, hand);
-  const auto& x = s.state.strand.position;
-  for (int i = 1; i < s.model.strand.nodes; ++i) {
-    const double place = 0.5 * (s.model.strand.place[i - 1] + s.model.strand.place[i]);          // [m]
-    if (std::fabs(place - t.threadCoordinate) < kSamePlace) continue;
-    for (const Vec3& at : {x[i], Vec3(0.5 * (x[i - 1] + x[i]))}) {
-      const Vec3 seen = t.proxy.inverseApply(at);                                                // [m]
-      if (std::fabs(seen.x()) < p.jawRadius && std::fabs(seen.y()) < p.jawRadius && seen.z() > -p.jawRadius && seen.z() < p.jawLength) return true;
-    }
-  }
-  return false;
-}
-
 /// A stay is held by each hand on its own side.
 bool changedSides(const Scene& s) {
   const auto x = [&](double place) { return strandPoint(s.model.strand, s.state.strand, place).x(); };   // [m]
@@ -93,7 +76,7 @@ bool takeThread(const Scene& s, int hand, int first, double (*think)(const Scene
   ExpertState& e = s.memory;
   if (!pickUp(s, hand, threadGrip(s, hand, e.place), first)) return false;
   const double held = s.state.tools[hand].threadCoordinate;                                      // [m]
-  const bool another = alone && e.attempt < kTries && pinchesAnother(s, hand);
+  const bool another = alone && e.attempt < kTries && pinchesAnother(s, hand, kSamePlace);
   if (held >= 0.0 && std::fabs(held - e.place) < kSamePlace && !another) return true;
   e.hand[hand].jaw = 1.0;
   ++e.attempt;
@@ -117,6 +100,22 @@ double fromOtherThread(const Scene& s, double coordinate, double near) {   // [m
     least = std::fmin(least, (p - s.state.strand.position[i]).norm());
   }
   return least;
+}
+
+bool pinchesAnother(const Scene& s, int hand, double near) {   // [m]
+  if (!s.model.params.thread.knots) return false;   // thread that does not meet thread is not caught so
+  const ToolState& t = s.state.tools[hand];
+  const ToolParams& p = toolOf(s.model, s.state, hand);
+  const auto& x = s.state.strand.position;
+  for (int i = 1; i < s.model.strand.nodes; ++i) {
+    const double place = 0.5 * (s.model.strand.place[i - 1] + s.model.strand.place[i]);          // [m]
+    if (std::fabs(place - t.threadCoordinate) < near) continue;
+    for (const Vec3& at : {x[i], Vec3(0.5 * (x[i - 1] + x[i]))}) {
+      const Vec3 seen = t.proxy.inverseApply(at);                                                // [m]
+      if (std::fabs(seen.x()) < p.jawRadius && std::fabs(seen.y()) < p.jawRadius && seen.z() > -p.jawRadius && seen.z() < p.jawLength) return true;
+    }
+  }
+  return false;
 }
 
 Pose threadGrip(const Scene& s, int hand, double coordinate) {

@@ -31,9 +31,16 @@ bool isStraight(const Scene& s) {
 
 bool hasLong(const Scene& s) { return s.state.tools[kLeft].threadCoordinate > longHole(s).coordinate; }
 
-/// The driver is to take the long end first: the winding hand has it too far out, or opens to be free of the needle.
+/// Has the winding hand taken two turns of it at once? Its grip does not feel the one that lies farther back between the jaws, and the hand would draw a tail
+/// through the walls by it.
+bool pinchesTwo(const Scene& s) {
+  constexpr double kCurl = 8e-3;               // [m] of thread: no shorter curl goes back between the jaws
+  return hasLong(s) && s.memory.knot.misses < kAttempts && pinchesAnother(s, kLeft, kCurl);
+}
+
+/// The driver is to take the long end first: the winding hand has it too far out, or twice, or opens to be free of the needle.
 bool wantsNearer(const Scene& s) {
-  return hasLong(s) && (holdsTooFar(s) || needleClings(s)) && s.memory.knot.misses < kAttempts;
+  return hasLong(s) && (holdsTooFar(s) || needleClings(s) || pinchesTwo(s)) && s.memory.knot.misses < kAttempts;
 }
 
 /// Where it takes it.  [m]
@@ -78,12 +85,12 @@ void takeLongEnd(const Scene& s, std::string& failure) {
     driver.jaw = s.inPhase < 0.2 ? 0.0 : 1.0;  // a squeeze unlocks a loaded driver
     if (s.inPhase > 0.5 && moveHand(s, kRight, e.goal[kRight], kMove)) goTo(s, kFreeLong);
   } else if (e.phase == kFreeLong) {
-    if (s.inPhase < 1.5 * s.dt && holdsLong(s) && !needleClings(s)) { hasLongEnd(s); return; }   // that would be wound, too
-    if (s.inPhase < 1.5 * s.dt && wantsNearer(s)) { goTo(s, kNearer); return; }
+    if (s.inPhase < 1.5 * s.dt && holdsLong(s) && !needleClings(s) && !pinchesTwo(s)) { hasLongEnd(s); return; }   // that would be wound, too
+    if (s.inPhase < 1.5 * s.dt && wantsNearer(s)) { s.memory.knot.misses += pinchesTwo(s); goTo(s, kNearer); return; }
     e.hand[kLeft].jaw = 1.0;
     if (s.inPhase > 0.4 && moveHand(s, kLeft, e.goal[kLeft], kMove)) goTo(s, kTakeLong);
   } else if (pickUp(s, kLeft, threadGrip(s, kLeft, longPlace(s)), kTakeLong)) {
-    if (holdsLong(s)) { hasLongEnd(s); return; }
+    if (holdsLong(s) && !pinchesTwo(s)) { hasLongEnd(s); return; }
     if (++e.knot.misses > kAttempts) { failure = "the long end was not taken"; return; }
     e.goal[kLeft] = above(e.hand[kLeft].command, 0.02);
     goTo(s, kFreeLong);
