@@ -9,11 +9,11 @@
 
 namespace halsted::app {
 
-/// A scene's own script, at these places only and as often asked for; its path.
+/// A scene's own script, at these places only and as often asked for, or at its own where none is named; its path.
 inline std::string scriptAt(const testing::TemporaryFolder& folder, const std::string& scene, const std::string& places) {   // [deg]
   std::ifstream file(testing::sourceFolder() + "/scenes/" + scene + "/expert.toml");
   std::string line, text;
-  while (std::getline(file, line)) text += line.rfind("stitch_at_deg", 0) == 0 ? "stitch_at_deg = [" + places + "]\n" : line + "\n";
+  while (std::getline(file, line)) text += !places.empty() && line.rfind("stitch_at_deg", 0) == 0 ? "stitch_at_deg = [" + places + "]\n" : line + "\n";
   const std::string path = folder.file("expert.toml");
   std::ofstream(path) << text;
   return path;
