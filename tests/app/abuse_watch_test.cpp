@@ -35,7 +35,7 @@ TEST(AbuseWatch, CountsThreadThroughAWallWhereverItsNodesLie) {
 }
 
 /// Two walls may be pushed into each other, and the face that is nearest to thread deep in the one may be the other's: each is asked by itself. Asked
-/// together, thread that lay through one wall or through both was found in none.
+/// together, thread that lay through both was found in neither.
 TEST(AbuseWatch, CountsThreadThroughWallsThatOverlap) {
   Piercing thread;
   const Opening &ours = thread.model.bowels.opening[1], &theirs = thread.model.bowels.opening[0];
